@@ -48,6 +48,8 @@ constexpr double largest_iteration_residual = 1e-9;
 constexpr int interior_round_limit = 8;
 
 class OpenCloseIteration {
+    using Tilts = TrialContacts::Tilts;
+
   public:
     OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
                        IterationWorkspace& work, const ThreadPool& pool)
@@ -88,13 +90,15 @@ class OpenCloseIteration {
             in_patches ? advance_in_patches() : advance_to_target();
             evaluate(in_patches);
             if (result_.gaps_unsettled || (!in_patches && !std::isfinite(result_.force_change))) break;
+            // On the way to a minimum with held bounds the tilts are held, too.
+            const bool holds = !in_patches && !bounds_follow && !is_at_minimum();
             if (in_patches)
                 test_and_relax();
-            else if (bounds_follow || is_at_minimum())
+            else if (!holds)
                 update_bounds_and_test(bounds_follow);
             if (result_.converged || result_.gaps_unsettled) break;
             if (is_astray()) return std::move(result_);
-            matrix_changed = trials_.update_active_set();
+            matrix_changed = trials_.update_active_set(holds ? Tilts::held : Tilts::follow);
             if (is_stalled()) {
                 if (solve_from_inside()) break;
                 matrix_changed = true;

@@ -46,11 +46,17 @@ struct ContactLaw {
     }
     /// Stiffness of a linear normal spring in compression, with its dashpot, N/m per metre.
     double normal_stiffness() const { return normal_law.stiffness + dashpot.stiffness; }
+    /// The shear force without bounds, N per metre.
+    double elastic(double shearing) const { return shear_origin + shear_stiffness * shearing; }
+    /// Whether it is within the bounds, and these leave room for a locked contact.
+    bool locks(double shearing) const {
+        const double force = elastic(shearing);
+        return may_close && force <= forward && force >= backward && forward > backward;
+    }
     /// The forces at the fixed bounds, Eq. (32).
     Forces forces(double opening, double shearing) const {
         if (!may_close) return {};
-        return {std::max(normal(opening), least_normal),
-                std::clamp(shear_origin + shear_stiffness * shearing, backward, forward)};
+        return {std::max(normal(opening), least_normal), std::clamp(elastic(shearing), backward, forward)};
     }
 };
 

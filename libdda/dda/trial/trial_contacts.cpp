@@ -186,32 +186,42 @@ double TrialContacts::by_slope(ContactIndex k) const {
     return trials_[k].dilating.shear_force(std::max(law_forces(k).normal, 0.0), p_.contacts[k].joint_share);
 }
 
-bool TrialContacts::update_active_set() {
-    const bool contacts = for_any([&](ContactIndex k) { return update_active_set_of(k); });
+bool TrialContacts::update_active_set(Tilts tilts) {
+    const bool contacts = for_any([&](ContactIndex k) { return update_active_set_of(k, tilts); });
     const bool bolts = bolts_.update_active_set();
     return contacts || bolts;
 }
 
-bool TrialContacts::update_active_set_of(ContactIndex k) {
+TrialContacts::ShearState TrialContacts::shear_state(ContactIndex k, Tilts tilts) const {
+    const ContactTrial& trial = trials_[k];
+    const double elastic = elastic_shear(k);
+    if (tilts == Tilts::follow) return {trial.may_close && is_within(elastic, trial.bounds), elastic >= 0};
+    const ContactLaw with_bounds = law(k);
+    const double force = with_bounds.elastic(trial.shearing);
+    const bool is_beyond = force > with_bounds.forward || force < with_bounds.backward;
+    return {with_bounds.locks(trial.shearing), is_beyond ? force > with_bounds.forward : elastic >= 0};
+}
+
+bool TrialContacts::update_active_set_of(ContactIndex k, Tilts tilts) {
     ContactTrial& trial = trials_[k];
     const Forces law = law_forces(k);
-    const double elastic = elastic_shear(k);
+    const ShearState shear = shear_state(k, tilts);
     const bool active = trial.may_close && law.normal > least_normal_force(k);
-    const bool locked = trial.may_close && is_within(elastic, trial.bounds);
-    bool changed = active != trial.has_normal_spring || locked != trial.has_shear_spring;
+    bool changed = active != trial.has_normal_spring || shear.locked != trial.has_shear_spring;
     if (active && std::abs(law.normal - trial.linear.normal) > tolerance()) {
         const NormalTangent tangent = tangent_at(k, spring_force(k));
         changed = changed || tangent.stiffness != trial.tangent.stiffness;
         trial.tangent = tangent;
     }
     trial.has_normal_spring = active;
-    trial.has_shear_spring = locked;
-    if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
+    trial.has_shear_spring = shear.locked;
+    const double tilt = shear.locked ? trial.dilating.slope : trial.sliding_slope;
+    if (tilts == Tilts::follow && tilt != trial.tilt) {
         trial.set_tilt(tilt);
         changed = changed || active;
     }
     trial.friction_force = law.shear - trial.tilt * law.normal;
-    trial.slides_forward = elastic >= 0;
+    trial.slides_forward = shear.slides_forward;
     return changed;
 }
 

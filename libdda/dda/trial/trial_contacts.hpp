@@ -22,6 +22,9 @@ class TrialContacts {
   public:
     /// How gaps follow from a displacement.
     enum class Gaps { exact, linear };
+    /// Whether the tilts of dilating contacts follow the active set, or are held like the shear bounds. Held
+    /// tilts leave the potential of the step as it is, and its shear springs are those of the fixed bounds.
+    enum class Tilts { follow, held };
 
     /// Begins at the initial guess of the problem; without one, at the step's start. Shear bounds are zero.
     /// @param problem must outlive the contacts. @param memory trials of an earlier step: their memory is
@@ -85,7 +88,7 @@ class TrialContacts {
         trials_[k].linear.shear += trials_[k].tilt * forces.normal;
     }
     /// Sets the springs of the linear system by the forces of the laws. @return whether the matrix changes.
-    bool update_active_set();
+    bool update_active_set(Tilts tilts = Tilts::follow);
 
     // --- the laws
     const JointLaw& law_of(ContactIndex k) const {
@@ -158,7 +161,13 @@ class TrialContacts {
     /// start.
     double initial_spring_force(ContactIndex k) const;
     /// @return whether the matrix changes.
-    bool update_active_set_of(ContactIndex k);
+    bool update_active_set_of(ContactIndex k, Tilts tilts);
+    /// The shear spring of a contact: whether it is locked, and otherwise whether it slides forward.
+    struct ShearState {
+        bool locked = false;
+        bool slides_forward = true;
+    };
+    ShearState shear_state(ContactIndex k, Tilts tilts) const;
     EvaluatedContact evaluated(ContactIndex k) const;
     /// The shear force of the linear system at zero shear displacement, N per metre.
     double shear_origin(ContactIndex k) const {

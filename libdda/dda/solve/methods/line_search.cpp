@@ -24,7 +24,7 @@ LineSearch::Sample LineSearch::ContactLine::at(double step_length) const {
     const double s = shearing.at(step_length);
     Sample sample;
     if (law.may_close) {
-        const double elastic = law.shear_origin + law.shear_stiffness * s;
+        const double elastic = law.elastic(s);
         sample.piece = {law.normal(o) > law.least_normal, elastic >= law.backward && elastic <= law.forward,
                         elastic > law.forward};
     }

@@ -92,6 +92,37 @@ TEST(TrialContacts, ABondBearsTensionFromTheStartAlsoInANewContact) {
     }
 }
 
+// Held tilts and bounds make a convex potential. Its Newton's method needs the spring that the law has
+// between the bounds; the joint's own state, which follows its normal force, may be another.
+TEST(TrialContacts, WithHeldTiltsTheShearSpringIsThatOfTheHeldBounds) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    dda::TrialContacts& trials = block.trials;
+    block.move(0, 1e-5);
+    block.bounds.update();
+    const double tilt = 0.2;
+    for (const int k : {0, 1}) {
+        trials[k].dilating = {0.1, 0};
+        trials[k].set_tilt(tilt);
+    }
+    // The law is the whole shear force less tilt times normal force.
+    const auto shear = [&](double along) { return trials.law(0).forces(0, along).shear; };
+    int locked_count = 0;
+    for (const double along : {-1e-5, -7e-6, -3e-6, 0.0, 3e-6, 7e-6, 1e-5}) {
+        block.move(along, 1e-5);
+        trials.force_change();
+        trials.update_active_set(dda::TrialContacts::Tilts::held);
+        EXPECT_EQ(trials[0].tilt, tilt);
+        const double stiffness = (shear(along + 1e-9) - shear(along - 1e-9)) / 2e-9;
+        EXPECT_EQ(trials[0].has_shear_spring, stiffness > 0) << along;
+        if (trials[0].has_shear_spring) ++locked_count;
+        if (stiffness == 0) {
+            EXPECT_EQ(trials[0].slides_forward, shear(along) > 0) << along;
+        }
+    }
+    EXPECT_GT(locked_count, 0);
+    EXPECT_LT(locked_count, 7) << "some slide";
+}
+
 // The memory of another step's trials holds their states, which must not reach the next one.
 TEST(TrialContacts, BeginAfreshInTheMemoryOfOthers) {
     RestingContacts block(Scene::mohr_coulomb(30));
