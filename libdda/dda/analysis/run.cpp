@@ -1,5 +1,7 @@
 #include "dda/analysis/run.hpp"
 
+#include <algorithm>
+
 #include "dda/analysis/excavate.hpp"
 #include "dda/analysis/moving_block.hpp"
 #include "dda/analysis/perturb.hpp"
@@ -29,6 +31,24 @@ bool apply_end_of(const Model& model, const Stage& stage, State& state) {
         }
     }
     return stage.remove_moving && remove_blocks(model, moving_blocks(model, state, stage.tolerance), state);
+}
+
+/// Gives the blocks their initial velocities where the first dynamic stage begins. Until then they are at
+/// rest. What that changes of the kinetic energy is external work.
+void set_in_motion(const Model& model, std::span<const Stage> stages, std::size_t stage, State& state) {
+    if (model.initial_velocity.empty()) return;
+    const auto earlier = stages.first(stage);
+    if (std::any_of(earlier.begin(), earlier.end(), [](const Stage& each) { return !each.is_static(); }))
+        return;
+    for (const BlockIndex b : model.blocks())
+        state.blocks.velocity[b] = stages[stage].is_static() || !state.is_present(b)
+                                       ? Vec6(Vec6::Zero())
+                                       : model.initial_velocity[b];
+    const RowMap rows(model.motion);
+    const ThreadPool one_thread;
+    const double before = state.energy.stores();
+    Ledger(model, rows, one_thread).update_stored_energy(state, state.energy);
+    state.energy.external_work += state.energy.stores() - before;
 }
 
 std::vector<BlockIndex> lost_blocks(const State& state) {
@@ -81,6 +101,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
         if (!resumed) {
             if (k > 0 && apply_end_of(model, stages[k - 1], state)) active.reset();
             begin_stage(state);
+            set_in_motion(model, stages, k, state);
             if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
             perturb(model, stages[k], state);
         }

@@ -128,7 +128,13 @@ void read_fixed_points(const ConfigTable& run, Model& model) {
 void read_initial_velocities(const ConfigTable& run, Model& model) {
     for (const ConfigTable& table : run.array_of_tables("initial_velocity")) {
         model.initial_velocity.resize(model.block_count(), Vec6::Zero());
-        Vec6& velocity = model.initial_velocity[read_block(table, model)];
+        const BlockIndex block = read_block(table, model);
+        if (model.motion[block] != Motion::free)
+            table.fail("velocity",
+                       "'velocity' in [" + table.path() + "] is of block " + std::to_string(block.value()) +
+                           ", whose motion is fixed or prescribed",
+                       "a block that is free to move");
+        Vec6& velocity = model.initial_velocity[block];
         velocity.head<2>() = vector_of(table.pair("velocity", Dimension::velocity));
         velocity[2] = table.number("angular_velocity", Dimension::none, 0);
     }

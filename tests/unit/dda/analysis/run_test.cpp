@@ -174,6 +174,25 @@ TEST(Run, TellsWhichBlockDoesNotStopAndAlongWhichJoint) {
         << "the first steps are shorter";
 }
 
+// It slides by v^2 / 2 g mu from where it has settled, not in the static stage, and again only where a
+// dynamic stage has not begun before.
+TEST(Run, ABlockHasItsInitialVelocityWhereTheFirstDynamicStageBegins) {
+    Scene s;
+    s.friction(35);
+    s.box({0, -1}, 10, 1, dda::Motion::fixed);
+    s.box({1, 0}, 2, 1);
+    s.model.initial_velocity = {Vec6::Zero(), (Vec6() << 3, 0, 0, 0, 0, 0).finished()};
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.moved(1).x(), 0, 1e-6);
+    ASSERT_EQ(sim.shake(1, .001).status, dda::RunStatus::completed);
+    const double way = 9 / (2 * g * std::tan(radians(35)));
+    EXPECT_NEAR(sim.moved(1).x(), way, 3 * .001) << "the velocity over a step";
+    EXPECT_NEAR(sim.state.energy.residual(), 0, 1e-4 * sim.state.energy.losses());
+    ASSERT_EQ(sim.shake(1, .001).status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.moved(1).x(), way, 3 * .001) << "at rest";
+}
+
 // The block slides by v^2/2g mu = 0.66 m in the dynamic stage, and is at rest in the static one.
 TEST(Run, WhatABlockMovedBeforeAStaticStageDoesNotCount) {
     Scene s;

@@ -230,6 +230,9 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
               "run.toml:47:9: there is no prescribed block 'bass' in the block file; expected one of base");
     EXPECT_EQ(error_with("block = 1", "block = 2"),
               "run.toml:34:9: 'block' in [initial_velocity[0]] is 2; expected an index from 0 to 1");
+    EXPECT_EQ(error_with("block = 1", "block = 0"),
+              "run.toml:35:12: 'velocity' in [initial_velocity[0]] is of block 0, whose motion is fixed or "
+              "prescribed; expected a block that is free to move");
     EXPECT_THAT(error_with("tolerance = 1e-7", "duration = 3"),
                 StartsWith("run.toml:40:12: unknown key 'duration' in [stage[0]]; expected one of"));
     EXPECT_THAT(error_with("\"r.csv\"", "\"none.csv\""),
