@@ -55,12 +55,13 @@ class FactorSearch {
 
     /// @return false if the observer stopped it.
     bool run() {
-        double factor = 1;
-        while (!stands_ || !fails_) {
+        for (double factor = 1;;) {
             if (!try_factor(factor)) return false;
-            factor = stands_ ? *stands_ * 2 : *fails_ / 2;
             if (stands_ && fails_) break;
-            if (factor > spec_.highest * (1 + 1e-9) || factor < spec_.lowest * (1 - 1e-9)) return true;
+            const double next =
+                stands_ ? std::min(2 * *stands_, spec_.highest) : std::max(*fails_ / 2, spec_.lowest);
+            if (next == factor) return true;  // nothing changes up to the bound
+            factor = next;
         }
         while (*fails_ / *stands_ > 1 + spec_.width) {
             if (!try_factor(std::sqrt(*stands_ * *fails_))) return false;

@@ -27,14 +27,14 @@ struct Searched : Simulation {
     void mechanism_found(const dda::Model&, const dda::State& failed, const dda::Stage&) override {
         mechanism_move = (failed.blocks.centroid(1) - state.blocks.centroid(1)).norm();
     }
-    dda::RunOutcome search(double width, int step_limit = 400) {
+    dda::RunOutcome search(double width, int step_limit = 400, double lowest = .1, double highest = 10) {
         dda::Stage stage;
         stage.name = "search";
         stage.kind = dda::StageKind::static_equilibrium;
         stage.tolerance = 1e-5;
         stage.step_limit = step_limit;
         stage.reset_displacements = false;
-        stage.strength_reduction = {.1, 10, width, .05};
+        stage.strength_reduction = {lowest, highest, width, .05};
         return run(stage);
     }
     std::vector<dda::ReductionTrial> trials;
@@ -128,9 +128,26 @@ TEST(StrengthReduction, EndsAtItsLimitsWhereNothingFails) {
     s.box({1, 1}, 1, 1);
     Searched sim(s);
     ASSERT_EQ(sim.search(.01).status, dda::RunStatus::completed);
-    EXPECT_EQ(sim.stands, 8);
+    EXPECT_EQ(sim.stands, 10);
     EXPECT_EQ(sim.fails, 1e9);
-    EXPECT_EQ(sim.trials.size(), 4U);
+    EXPECT_EQ(sim.trials.size(), 5U);
+}
+
+// The factors of the two blocks are 1.59 and 0.63. A limit on the near side is tried, and is the bound that
+// is known; one on the far side ends the bracket.
+TEST(StrengthReduction, TriesItsLimits) {
+    Searched sim(on_incline(20, 30, 0));
+    sim.settle(.005, 1e-6);
+    ASSERT_EQ(sim.search(.02, 400, .1, 1.5).status, dda::RunStatus::completed);
+    EXPECT_EQ(sim.stands, 1.5);
+    EXPECT_EQ(sim.fails, 1e9);
+    ASSERT_EQ(sim.search(.02, 400, .1, 1.7).status, dda::RunStatus::completed);
+    EXPECT_LE(sim.fails / sim.stands, 1.02);
+
+    Searched unstable(on_incline(30, 20, 0));
+    ASSERT_EQ(unstable.search(.02, 400, .8).status, dda::RunStatus::completed);
+    EXPECT_EQ(unstable.stands, 0);
+    EXPECT_EQ(unstable.fails, .8);
 }
 
 TEST(StrengthReduction, StopsIfTheObserverSaysSo) {
