@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "dda/analysis/step_report.hpp"
 #include "dda/terms/loads.hpp"
@@ -115,7 +116,11 @@ std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& s
     if (beyond.empty() || share_of_mass(model, state, beyond) <= share) return {};
     std::vector<BlockIndex> going_on = moving_blocks(model, state, tolerance);
     std::erase_if(going_on, [&](BlockIndex block) { return !(displacement(block) > limit); });
-    return moving_block(model, state, with_largest(going_on.empty() ? beyond : going_on, displacement));
+    const auto mass_then_displacement = [&](BlockIndex block) {
+        return std::pair(state.blocks.mass[block], displacement(block));
+    };
+    return moving_block(model, state,
+                        with_largest(going_on.empty() ? beyond : going_on, mass_then_displacement));
 }
 
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state) {

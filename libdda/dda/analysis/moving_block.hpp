@@ -31,9 +31,9 @@ double share_of_mass(const Model& model, const State& state, std::span<const Blo
 /// Whether a static stage has come to rest: the blocks that move are at most the stage's `moving_share`.
 bool is_at_rest(const Model& model, const State& state, const Stage& stage);
 
-/// The block whose centroid has moved farthest, where the blocks that have moved farther than `limit`, m, are
-/// more than `share` of the mass of all free blocks. Blocks that still move come first: their unbalanced
-/// force over the weight is above `tolerance`.
+/// The heaviest block whose centroid has moved farther than `limit`, m, where such blocks are more than
+/// `share` of the mass of all free blocks; of equal ones that which has moved farthest. Blocks that still
+/// move come first: their unbalanced force over the weight is above `tolerance`.
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
                                               double share, double tolerance);
 

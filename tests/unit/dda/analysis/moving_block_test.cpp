@@ -78,6 +78,16 @@ TEST(MovingBlock, IsOneThatHasComeToRestOnlyWhereNoneGoesOn) {
               "unbalanced force is 9e-07 of the weight");
 }
 
+// A chip of 0.05 m2 that had rolled 22 m was told in place of the 300 m2 that slid by 2 m.
+TEST(MovingBlock, IsTheHeaviestBeyondTheLimit) {
+    FourBlocks blocks;
+    blocks.move(1, {3, 0});
+    blocks.move(2, {1, 0});
+    blocks.state.blocks.mass[1] *= 0.01;
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6)->block, 2);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 2, 0, 1e-6)->block, 1);
+}
+
 TEST(MovingBlock, IsTheLeastBalancedOne) {
     FourBlocks blocks;
     EXPECT_FALSE(dda::least_balanced_block(blocks.s.model, blocks.state)) << "all are in balance";
