@@ -145,7 +145,7 @@ void warn_of_deep_contact(const dda::DeepestContact& deepest, Warnings& warnings
     if (!(deepest.share > dda::deep_share)) return;
     warnings.tell(
         "block %d was inside block %d by %.3g m at t = %.6g s, %.2g %% of the smaller one; a stiffer contact "
-        "or a penetration_tolerance keeps it out",
+        "keeps it out, or a penetration_tolerance where the joint has no stiffness of its own",
         deepest.corner_block.value(), deepest.edge_block.value(), deepest.depth, deepest.time,
         100 * deepest.share);
 }

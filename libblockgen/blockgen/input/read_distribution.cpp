@@ -90,8 +90,9 @@ Distribution read_length(const ConfigTable& table, std::string_view key, bool ma
     const Distribution d = read_distribution(table, key, Dimension::length);
     if (d.infimum() < 0 || (d.infimum() == 0 && !may_be_zero && !is_of_positive_values(d.law)))
         table.fail(key,
-                   d.law == Law::constant ? shortest_text(d.mean) + " m is too small"
-                                          : "draws of " + std::string(key) + " may be zero or negative",
+                   d.law == Law::constant
+                       ? "'" + std::string(key) + "' is " + shortest_text(d.mean) + " m, which is too small"
+                       : "draws of " + std::string(key) + " may be zero or negative",
                    d.law == Law::constant ? (may_be_zero ? "zero or a positive length" : "a positive length")
                                           : "a min above zero");
     return d;

@@ -16,6 +16,7 @@ SlopeModel bare_domain(const SlopeModel& model) {
     bare.outline = model.outline;
     bare.further_outlines = model.further_outlines;
     bare.holes = model.holes;
+    bare.holes_location = model.holes_location;
     bare.tunnels = model.tunnels;
     return bare;
 }

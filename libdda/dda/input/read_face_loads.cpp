@@ -10,12 +10,18 @@ namespace rockslope::dda {
 
 namespace {
 
-void check_known(const ConfigTable& table, const char* key, const std::vector<std::string>& names,
+void check_known(const ConfigTable& table, const char* key, std::vector<std::string> names,
                  const std::string& name) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;
     const auto nearest = nearest_word(name, names);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::string list;
+    for (const std::string& each : names) list += (list.empty() ? "" : ", ") + each;
     table.fail(key, "there is no " + std::string(key) + " '" + name + "'",
-               nearest ? "perhaps '" + *nearest + "'" : "one of " + std::to_string(names.size()) + " names");
+               nearest         ? "perhaps '" + *nearest + "'"
+               : names.empty() ? "no '" + std::string(key) + "', for the block file has none"
+                               : "one of " + list);
 }
 
 /// Selects the faces that water wets, from the keys of a table.

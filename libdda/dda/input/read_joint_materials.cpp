@@ -56,6 +56,9 @@ JointMaterial read_joint_material(const std::string& name, const ConfigTable& ta
         read_stiffness(table, material);
         return material;
     }
+    if (table.has("shear_stiffness"))
+        table.fail("shear_stiffness",
+                   "'shear_stiffness' in [" + table.path() + "] has no 'normal_stiffness' beside it", "both");
     material.normal_penalty = not_negative(table, "normal_penalty", Dimension::stiffness, 0);
     material.shear_penalty = not_negative(table, "shear_penalty", Dimension::stiffness, 0);
     return material;

@@ -114,8 +114,8 @@ std::string first_slip_summary(const Results& results) {
         if (first == slips.size() || slips[b].dynamic_time < slips[first].dynamic_time) first = b;
     }
     if (count == 0) return "no block slipped\n";
-    return formatted("%zu blocks slipped, block %zu first, %.3f s after shaking began\n", count, first,
-                     slips[first].dynamic_time);
+    return formatted("%zu block%s slipped, block %zu first, %.3f s after shaking began\n", count,
+                     count == 1 ? "" : "s", first, slips[first].dynamic_time);
 }
 
 /// One line that says what the estimates leave out; empty if they leave out nothing.

@@ -134,6 +134,11 @@ TEST(Domain, InvalidPartsAreReported) {
                 HasSubstr("outline and outlines are both given"));
     EXPECT_THAT(error_of("outlines = [" + square + "]\nholes = [[[5, 5], [6, 5], [6, 6]]]"),
                 HasSubstr("hole 1 lies outside the outline"));
+    // Joint sets are drawn in the bare rock, which knows the place, too.
+    EXPECT_THAT(error_of("outline = " + square +
+                         "\nholes = [[[5, 5], [6, 5], [6, 6]]]\n[[joint_set]]\n"
+                         "name = \"a\"\nangle = \"10 deg\"\nspacing = 1"),
+                testing::ContainsRegex(":[0-9]+:9: hole 1 lies outside the outline"));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("corner_length = \"5 cm\"", "largest_closure = 0"),
                 HasSubstr("expected a positive number"));
     EXPECT_THAT(error_with("normal_stiffness = \"20 GPa/m\"\n", ""),
-                HasSubstr("unknown key 'shear_stiffness'"));
+                HasSubstr("has no 'normal_stiffness' beside it; expected both"));
     EXPECT_THAT(error_with("law = \"elastic\"", "law = \"elastic\"\ncohesion = 1"),
                 HasSubstr("unknown key 'cohesion'"));
 }

@@ -141,6 +141,8 @@ TEST_F(ReadFaceLoads, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("at = [2, 1.5]", "at = [2, 0.5]"), HasSubstr("no face lies on 'along'"));
     EXPECT_EQ(error_with("joint_set = \"set\"", "joint_set = \"sett\""),
               "run.toml:24:13: there is no joint_set 'sett'; expected perhaps 'set'");
+    EXPECT_EQ(error_with("joint_set = \"set\"", "joint_set = \"nix\""),
+              "run.toml:24:13: there is no joint_set 'nix'; expected one of set");
     EXPECT_THAT(error_with("joint_set = \"set\"", "joint_material = \"beding\""),
                 HasSubstr("there is no joint_material 'beding'; expected perhaps 'bedding'"));
     EXPECT_THAT(error_with("\"5 kPa\"", "0"), HasSubstr("expected a positive number"));

@@ -334,7 +334,7 @@ TEST_F(ResultsTest, TheBlockTableReportsTheFinalState) {
     EXPECT_NEAR(number("slip (m)"), number("Newmark slip (m)"), 0.03 * std::abs(number("slip (m)")))
         << "steps of 5 ms";
     const std::string printed = outcome_table(input.model, state, results, slips);
-    for (const char* part : {"from 'base'", "crest", "1 blocks slipped, block 1 first", "Newmark's rigid"})
+    for (const char* part : {"from 'base'", "crest", "1 block slipped, block 1 first", "Newmark's rigid"})
         EXPECT_THAT(printed, HasSubstr(part));
     EXPECT_THAT(printed, Not(HasSubstr("ignores")));
     input.model.fixed_points.push_back({0, true, false});
