@@ -17,6 +17,7 @@ constexpr double lightest = 500, heaviest = 8000;  // kg/m3
 /// Friction angle beyond which no joint goes, and the right angle in rad, which is small as a number of
 /// degrees.
 constexpr double steepest_friction = 70, right_angle = M_PI / 2;  // deg, rad
+constexpr double weakest_wall = 1e5, strongest_wall = 1e9;        // Pa, compressive strength of joint walls
 /// Size of a block of median area over the height of the section: smaller blocks are rather in other units.
 constexpr double smallest_size = 1e-3;
 /// Area of a block over that of the median one below which it is a chip. blockgen merges blocks below 1e-4.
@@ -62,6 +63,17 @@ void check_friction(const std::string& material, double angle, bool must_hold,
                                             degrees, degrees, degrees * 180 / M_PI));
 }
 
+/// Flat walls do not need their strength.
+void check_wall(const std::string& material, const BartonStrength& barton,
+                std::vector<std::string>& warnings) {
+    const double strength = barton.wall_strength;
+    if (barton.roughness_coefficient > 0 && (strength < weakest_wall || strength > strongest_wall))
+        warnings.push_back(
+            sentence("jcs of joint material '%s' is %.3g Pa, which no joint wall has; write the "
+                     "unit, as in \"50 MPa\"",
+                     material.c_str(), strength));
+}
+
 /// Joints with cohesion open where their shear strength ends, at the latest. Without it a tensile strength
 /// glues blocks on purpose.
 void check_tension(const std::string& material, const MohrCoulomb& law, std::vector<std::string>& warnings) {
@@ -81,6 +93,7 @@ void check_joints(const Model& model, std::vector<std::string>& warnings) {
             [&](const auto& law) {
                 if constexpr (requires { law.friction_angle; })
                     check_friction(material.name, law.friction_angle, must_hold, warnings);
+                if constexpr (requires { law.barton; }) check_wall(material.name, law.barton, warnings);
             },
             material.law);
         if (const auto* law = std::get_if<MohrCoulomb>(&material.law))

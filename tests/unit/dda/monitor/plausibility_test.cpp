@@ -51,6 +51,21 @@ TEST(Plausibility, FindsMissingUnits) {
                             AllOf(HasSubstr("density"), HasSubstr("2.65 kg/m3"))));
 }
 
+TEST(Plausibility, FindsWallStrengthsOfNoJoint) {
+    Scene s = block_on_floor();
+    const auto of = [&](double jrc, double jcs) {
+        dda::BartonBandis law;
+        law.barton = {jrc, jcs, scene::radians(30)};
+        s.model.joint_materials[0].law = law;
+        return dda::implausible(s.model, {});
+    };
+    EXPECT_THAT(of(8, 50), ElementsAre(AllOf(HasSubstr("jcs of joint material 'joint' is 50 Pa"),
+                                             HasSubstr("\"50 MPa\""))));
+    EXPECT_THAT(of(8, 50e9), ElementsAre(HasSubstr("5e+10 Pa")));
+    EXPECT_THAT(of(8, 50e6), IsEmpty());
+    EXPECT_THAT(of(0, 0), IsEmpty()) << "flat";
+}
+
 TEST(Plausibility, FindsFrictionAnglesOfNoJoint) {
     Scene s = block_on_floor();
     auto& law = s.model.joint_materials[0].law;
