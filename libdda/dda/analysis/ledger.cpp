@@ -135,9 +135,9 @@ double Ledger::strain_energy(const BlockSystem& blocks) const {
 }
 
 double Ledger::gravity_energy(const BlockSystem& blocks) const {
-    return -sum<RowIndex>(rows_.count(), [&](RowIndex row) {
+    return sum<RowIndex>(rows_.count(), [&](RowIndex row) {
         const BlockIndex b = rows_.block_of[row];
-        return blocks.mass[b] * model_.gravity.dot(blocks.moments[b].centroid - datum_[b]);
+        return -blocks.mass[b] * model_.gravity.dot(blocks.moments[b].centroid - datum_[b]);
     });
 }
 

@@ -48,8 +48,6 @@ constexpr double largest_iteration_residual = 1e-9;
 constexpr int interior_round_limit = 8;
 
 class OpenCloseIteration {
-    using Tilts = TrialContacts::Tilts;
-
   public:
     OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
                        IterationWorkspace& work, const ThreadPool& pool)
@@ -98,6 +96,7 @@ class OpenCloseIteration {
                 update_bounds_and_test(bounds_follow);
             if (result_.converged || result_.gaps_unsettled) break;
             if (is_astray()) return std::move(result_);
+            using Tilts = TrialContacts::Tilts;
             matrix_changed = trials_.update_active_set(holds ? Tilts::held : Tilts::follow);
             if (is_stalled()) {
                 if (solve_from_inside()) break;
