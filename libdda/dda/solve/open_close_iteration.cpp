@@ -82,7 +82,7 @@ class OpenCloseIteration {
             }
             ++result_.iterations;
             const bool bounds_follow = iterations_since_restart() <= bound_update_iterations;
-            bounds_follow ? solve_with_coupled_friction() : solve_with_fixed_friction();
+            solve_linear_system(bounds_follow);
             end_of(Phase::solution, times_);
             const bool in_patches = is_in_patches();
             in_patches ? advance_in_patches() : advance_to_target();
@@ -263,21 +263,13 @@ class OpenCloseIteration {
         }
     }
 
-    /// Solves the linear system with the present friction forces of sliding contacts.
-    void solve_with_fixed_friction() {
+    /// Solves the linear system. @param friction_follows whether the friction forces of sliding contacts are
+    /// at the bounds of the solution's own normal forces, Eq. (35), or stay as they are.
+    void solve_linear_system(bool friction_follows) {
         PerRow<Vec6>& target = iterate_.new_target();
         set_right_hand_side();
         substitutions_ += solver_.solve_coarsely(target, load_);
-        substitutions_ += solver_.refine(target, load_, iteration_residual_);
-    }
-
-    /// Solves the linear system with friction forces at the bounds of the solution's own normal forces, Eq.
-    /// (35).
-    void solve_with_coupled_friction() {
-        PerRow<Vec6>& target = iterate_.new_target();
-        set_right_hand_side();
-        substitutions_ += solver_.solve_coarsely(target, load_);
-        const int substitutions = friction_coupling_.solve(target);
+        const int substitutions = friction_follows ? friction_coupling_.solve(target) : 0;
         if (substitutions > 0) set_right_hand_side();
         substitutions_ += substitutions + solver_.refine(target, load_, iteration_residual_);
     }
