@@ -50,7 +50,7 @@ struct Energy {
     /// negative.
     EnergyGain largest_spring_gain;
 
-    /// Adds the losses and the work that some of the contacts had in a step.
+    /// Adds the losses and the work that some of the contacts or blocks had in a step.
     void add_losses(const Energy& part) {
         friction_loss += part.friction_loss;
         damping_loss += part.damping_loss;

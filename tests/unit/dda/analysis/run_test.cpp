@@ -174,15 +174,20 @@ TEST(Run, TellsWhichBlockDoesNotStopAndAlongWhichJoint) {
         << "the first steps are shorter";
 }
 
-// It slides by v^2 / 2 g mu from where it has settled, not in the static stage, and again only where a
-// dynamic stage has not begun before.
-TEST(Run, ABlockHasItsInitialVelocityWhereTheFirstDynamicStageBegins) {
+/// A block of 2 m on a level floor that is thrown along it by 3 m/s.
+Scene thrown_block() {
     Scene s;
     s.friction(35);
     s.box({0, -1}, 10, 1, dda::Motion::fixed);
     s.box({1, 0}, 2, 1);
     s.model.initial_velocity = {Vec6::Zero(), (Vec6() << 3, 0, 0, 0, 0, 0).finished()};
-    Simulation sim(s);
+    return s;
+}
+
+// It slides by v^2 / 2 g mu from where it has settled, not in the static stage, and again only where a
+// dynamic stage has not begun before.
+TEST(Run, ABlockHasItsInitialVelocityWhereTheFirstDynamicStageBegins) {
+    Simulation sim(thrown_block());
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     EXPECT_NEAR(sim.moved(1).x(), 0, 1e-6);
     ASSERT_EQ(sim.shake(1, .001).status, dda::RunStatus::completed);
@@ -195,12 +200,7 @@ TEST(Run, ABlockHasItsInitialVelocityWhereTheFirstDynamicStageBegins) {
 
 // The block slides by v^2/2g mu = 0.66 m in the dynamic stage, and is at rest in the static one.
 TEST(Run, WhatABlockMovedBeforeAStaticStageDoesNotCount) {
-    Scene s;
-    s.friction(35);
-    s.box({0, -1}, 10, 1, dda::Motion::fixed);
-    s.box({1, 0}, 2, 1);
-    s.model.initial_velocity = {Vec6::Zero(), (Vec6() << 3, 0, 0, 0, 0, 0).finished()};
-    Simulation sim(s);
+    Simulation sim(thrown_block());
     ASSERT_EQ(sim.shake(1, .002).status, dda::RunStatus::completed);
     ASSERT_GT(sim.moved(1).x(), .5);
     dda::Stage rest;
