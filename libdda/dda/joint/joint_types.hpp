@@ -57,6 +57,22 @@ struct Strength {
     double forward = 0;   ///< largest shear force against slip in the positive tangential direction
     double backward = 0;  ///< largest shear force against slip in the negative tangential direction
     double tensile = 0;   ///< largest tensile normal force before the contact opens
+
+    friend Strength operator*(double factor, const Strength& s) {
+        return {factor * s.forward, factor * s.backward, factor * s.tensile};
+    }
+};
+
+/// How the shear strengths of a joint grow with a shear displacement in their direction, N/m per metre.
+struct Hardening {
+    double forward = 0;
+    double backward = 0;
+
+    /// Whether a strength grows.
+    bool any() const { return forward > 0 || backward > 0; }
+    friend Hardening operator*(double factor, const Hardening& h) {
+        return {factor * h.forward, factor * h.backward};
+    }
 };
 
 /// A shear strength that is a straight line over the normal stress, Eq. (31): tau = c + sigma_n tan(phi).

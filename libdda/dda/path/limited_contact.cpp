@@ -44,8 +44,10 @@ PieceForces LimitedContact::on(const Piece& piece) const {
         return forces;
     }
     const ForceLine line = bound(piece.normal, piece.slides);
-    forces.slope(1, 0) = line.slope;
-    forces.constant.y() = line.cohesion;
+    const double part = hardening_of(piece.slides);
+    forces.slope(1, 1) = part;
+    forces.slope(1, 0) = (1 - part) * line.slope;
+    forces.constant.y() = (1 - part) * line.cohesion;
     return forces;
 }
 
@@ -55,11 +57,13 @@ PieceBorders LimitedContact::borders(const Piece& piece) const {
     const bool is_pressed = piece.normal == Piece::Normal::pressed;
     const bool has_apex = ends_in_apex();
     for (const int direction : {1, -1}) {
-        if (piece.slides == -direction || (has_apex && !is_pressed)) continue;
+        const bool is_on_apex = has_apex && !is_pressed;
+        if (piece.slides == -direction || (is_on_apex && !hardening.any())) continue;
         const ForceLine line = bound(piece.normal, direction);
         const double sign = piece.slides == 0 ? direction : -direction;
+        const int beyond = is_on_apex ? -direction : 0;
         found.add(sign * Vec2(-line.slope, 1), -sign * line.cohesion,
-                  {piece.normal, piece.slides == 0 ? direction : 0});
+                  {piece.normal, piece.slides == 0 ? direction : beyond});
     }
     const bool has_low = floor > least_normal;
     // Upwards.
@@ -85,8 +89,8 @@ Border LimitedContact::first_border(const Piece& piece, const ElasticForces& fro
     if (!std::isfinite(border.distance)) return border;
     border.normal = {all.normal[first], all.shear[first]};
     border.beyond = all.beyond[first];
-    // Beyond an apex a contact slides to the side that it comes from.
-    if (ends_in_apex() && piece.normal != Piece::Normal::pressed &&
+    // Beyond an apex a contact slides to the side that it comes from. Where bounds harden it knows that side.
+    if (!hardening.any() && ends_in_apex() && piece.normal != Piece::Normal::pressed &&
         border.beyond.normal == Piece::Normal::pressed) {
         const double normal = from.normal + border.distance * rate.normal;
         const double shear = from.shear + border.distance * rate.shear;

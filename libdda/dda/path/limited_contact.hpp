@@ -101,6 +101,8 @@ struct LimitedContact {
     double tilt = 0;               ///< the shear force here is that of the contact less tilt times normal
     ForceLine forward;             ///< not negative at the floor
     ForceLine backward;
+    Hardening hardening;  ///< the part of the elastic shear force beyond each bound that it bears,
+                          ///< below 1
 
     /// The elastic forces at a displacement, per row, m.
     ElasticForces elastic_at(RowSpan<const Vec6> d) const {
@@ -124,6 +126,9 @@ struct LimitedContact {
     /// A shear bound on a piece, as a line over the elastic normal force. @param direction 1 or -1: the
     /// bound is the largest or the smallest shear force.
     ForceLine bound(Piece::Normal normal, int direction) const;
+    double hardening_of(int direction) const {
+        return direction > 0 ? hardening.forward : hardening.backward;
+    }
     /// Whether both bounds are zero where the contact bears its least normal force.
     bool ends_in_apex() const;
 };

@@ -69,7 +69,7 @@ void StepMatrix::assemble_changed_rows() {
 StepMatrix::Springs StepMatrix::springs_of(const TrialContacts& trials, ContactIndex contact) const {
     const ContactTrial& trial = trials[contact];
     return {trial.has_normal_spring ? trial.tangent.stiffness : 0,
-            trial.has_shear_spring ? p_.springs[contact].shear_stiffness : 0,
+            trial.has_shear_spring ? p_.springs[contact].shear_stiffness : trial.sliding_stiffness,
             trial.has_normal_spring ? trial.tilt : 0};
 }
 

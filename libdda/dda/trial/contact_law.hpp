@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "dda/joint/normal_closure.hpp"
 #include "dda/terms/contact_damping.hpp"
@@ -15,7 +16,10 @@ struct Forces {
 // A contact that dilates has its normal spring along a tilted direction, Eq. (83): then `shear` of the linear
 // system, of a ContactLaw and of the friction coupling is the shear force less tilt times normal force.
 
-/// The force laws of a contact with fixed shear bounds, Eq. (32), with all their parameters. The line search
+/// The linear pieces of the shear force of a contact: its spring is locked, or it is at a bound.
+enum class ShearPiece : std::uint8_t { locked, forward, backward };
+
+/// The force laws of a contact with held shear bounds, Eq. (32), with all their parameters. The line search
 /// evaluates them at many displacements.
 struct ContactLaw {
     NormalClosure normal_law;
@@ -25,8 +29,9 @@ struct ContactLaw {
     double stress_free_gap = 0;     ///< m
     double shear_origin = 0;        ///< N per metre, shear force at zero displacement
     double shear_stiffness = 0;     ///< N/m per metre
-    double backward = 0;            ///< N per metre, the smallest shear force, negative or zero
-    double forward = 0;             ///< N per metre, the largest shear force
+    double backward = 0;            ///< N per metre, the smallest shear force, at zero displacement
+    double forward = 0;             ///< N per metre, the largest shear force, at zero displacement
+    Hardening hardening;            ///< of both; less than the shear stiffness
     double least_normal = 0;        ///< N per metre, the smallest normal force; below 0 if it bears tension
     bool may_close = true;          ///< false: no force at all
 
@@ -48,15 +53,28 @@ struct ContactLaw {
     double normal_stiffness() const { return normal_law.stiffness + dashpot.stiffness; }
     /// The shear force without bounds, N per metre.
     double elastic(double shearing) const { return shear_origin + shear_stiffness * shearing; }
-    /// Whether it is within the bounds, and these leave room for a locked contact.
-    bool locks(double shearing) const {
+    /// The largest shear force, N per metre.
+    double largest(double shearing) const { return forward + hardening.forward * shearing; }
+    /// The smallest shear force, N per metre.
+    double smallest(double shearing) const { return backward + hardening.backward * shearing; }
+    /// What the shear force is: that of the spring, or a bound. Far back a bound that hardens is beyond the
+    /// other one, and the backward one holds.
+    ShearPiece shear_piece(double shearing) const {
         const double force = elastic(shearing);
-        return may_close && force <= forward && force >= backward && forward > backward;
+        const double most = largest(shearing);
+        if (std::min(force, most) < smallest(shearing)) return ShearPiece::backward;
+        return force > most ? ShearPiece::forward : ShearPiece::locked;
     }
-    /// The forces at the fixed bounds, Eq. (32).
+    /// Whether the shear force is that of the spring, and the bounds leave room for a locked contact.
+    bool locks(double shearing) const {
+        return may_close && shear_piece(shearing) == ShearPiece::locked &&
+               largest(shearing) > smallest(shearing);
+    }
+    /// The forces at the held bounds, Eq. (32).
     Forces forces(double opening, double shearing) const {
         if (!may_close) return {};
-        return {std::max(normal(opening), least_normal), std::clamp(elastic(shearing), backward, forward)};
+        return {std::max(normal(opening), least_normal),
+                std::max(std::min(elastic(shearing), largest(shearing)), smallest(shearing))};
     }
 };
 

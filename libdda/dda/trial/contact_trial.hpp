@@ -23,10 +23,12 @@ struct ContactTrial {
     // The springs in the linear system; update_active_set() sets them.
     bool has_normal_spring = false;
     bool has_shear_spring = false;
-    bool slides_forward = true;  ///< sliding direction, where it has no shear spring
-    double tilt = 0;             ///< derivative of the dilation in the linear system, Eq. (83)
-    double friction_force = 0;   ///< N per metre, shear force in the linear system without a shear spring
-    NormalTangent tangent;       ///< the normal spring
+    bool slides_forward = true;    ///< sliding direction, where it has no shear spring
+    double tilt = 0;               ///< derivative of the dilation in the linear system, Eq. (83)
+    double friction_force = 0;     ///< N per metre, shear force in the linear system while it slides, at zero
+                                   ///< shear displacement
+    double sliding_stiffness = 0;  ///< N/m per metre, how that force grows: the hardening of its bound
+    NormalTangent tangent;         ///< the normal spring
 
     // The iterate; set_displacement() and move_to() set it.
     double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
@@ -43,7 +45,9 @@ struct ContactTrial {
     bool postponed = false;       ///< the rest of its dilation acts from the next step on
     Strength bounds;              ///< N per metre, shear bounds and tensile strength
     double tensile_strength = 0;  ///< N per metre, of a bond that holds
+    Hardening hardening;          ///< of the bounds
     double held_normal = 0;       ///< N per metre, normal force at which the bounds were set
+    double held_shearing = 0;     ///< m, shear displacement at which they were set
     double stress_free_gap = 0;   ///< m, gap at zero normal force; shifted by augmentation
     double shear_origin = 0;      ///< N per metre, of the spring at the start; shifted by augmentation
     LockedDilation dilating;      ///< how its shear force follows its normal force while locked
@@ -65,14 +69,30 @@ struct ContactTrial {
         tilt = to;
     }
     /// Sets the friction force, and the bound in the sliding direction to it.
-    /// @param force N per metre, less the tilt times the normal force; @param normal_force N per metre.
+    /// @param force N per metre, less the tilt times the normal force, at zero shear displacement; @param
+    /// normal_force N per metre.
     void set_friction(double force, double normal_force) {
         friction_force = force;
         held_normal = std::max(normal_force, 0.0);
-        (slides_forward ? bounds.forward : bounds.backward) = std::abs(friction_force + tilt * held_normal);
+        (slides_forward ? bounds.forward : bounds.backward) =
+            std::abs(friction_force + sliding_stiffness * held_shearing + tilt * held_normal);
+    }
+    /// Sets the bounds to those at the iterate.
+    void set_bounds(const Strength& at_iterate, const Hardening& of_bounds) {
+        bounds = at_iterate;
+        hardening = of_bounds;
+        held_shearing = shearing;
+    }
+    /// The held bounds at the iterate.
+    Strength bounds_here() const {
+        const double further = shearing - held_shearing;
+        return {bounds.forward + hardening.forward * further, bounds.backward - hardening.backward * further,
+                bounds.tensile};
     }
     /// The bound in the sliding direction, N per metre.
     double bound() const { return slides_forward ? bounds.forward : bounds.backward; }
+    /// Its hardening, N/m per metre.
+    double hardening_ahead() const { return slides_forward ? hardening.forward : hardening.backward; }
 };
 
 }  // namespace rockslope::dda

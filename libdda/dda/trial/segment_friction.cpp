@@ -19,6 +19,8 @@ void SegmentFriction::evaluate_law(std::size_t segment, const SegmentLoading& lo
     const bool any = loading.normal > 0;
     segments_[segment].evaluated_at = any ? loading : Segment().evaluated_at;
     segments_[segment].over_normal_force = any ? strength_.over_normal_force(segment, loading) : Strength{};
+    segments_[segment].hardening =
+        any ? strength_.hardening(segment, loading, segments_[segment].over_normal_force) : Hardening{};
 }
 
 void SegmentFriction::request_line(ContactIndex contact) {

@@ -23,7 +23,8 @@ class SegmentFriction {
     bool is_on_segment(ContactIndex contact) const { return strength_.segment_of(contact) >= 0; }
     /// Evaluates the laws of segments whose normal force, or whose springs' shear force, has changed by more
     /// than `tolerance` (N per metre) since their last evaluation. @param loading_of gives the ContactLoading
-    /// of a contact's index; @param assign is called with each contact's index and its Strength.
+    /// of a contact's index; @param assign is called with each contact's index, its Strength and its
+    /// Hardening.
     template <class LoadingOf, class Assign>
     void update(double tolerance, const LoadingOf& loading_of, const Assign& assign) {
         pool_.parallel_for(segments_.size(), [&](std::size_t begin, std::size_t end) {
@@ -32,7 +33,10 @@ class SegmentFriction {
                 if (has_moved(segment, loading, tolerance)) evaluate_law(segment, loading);
                 for (const SegmentStrength::Member& member : strength_.members(segment)) {
                     const ContactIndex k = member.contact;
-                    assign(k, contact_strength(segments_[segment], loading_of(k).normal));
+                    const double normal = loading_of(k).normal;
+                    const double pressing = normal > 0 ? normal : 0;
+                    assign(k, pressing * segments_[segment].over_normal_force,
+                           pressing * segments_[segment].hardening);
                 }
             }
         });
@@ -66,6 +70,7 @@ class SegmentFriction {
         static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
         SegmentLoading evaluated_at = {undefined, undefined};  ///< NaN where it is open
         Strength over_normal_force;
+        Hardening hardening;           ///< over the normal force
         double forward_exponent = 0;   ///< of strength / normal force
         double backward_exponent = 0;  ///< of strength / normal force
         bool has_exponents = false;
@@ -81,12 +86,6 @@ class SegmentFriction {
     const Segment& segment_of(ContactIndex contact) const { return segments_[strength_.segment_of(contact)]; }
     void evaluate_law(std::size_t segment, const SegmentLoading& loading);
     void find_exponents(std::size_t segment);
-    /// Strength of one contact of a segment under a normal force, N per metre; zero where it is open.
-    static Strength contact_strength(const Segment& segment, double normal_force) {
-        if (!(normal_force > 0)) return {};
-        const Strength& ratio = segment.over_normal_force;
-        return {normal_force * ratio.forward, normal_force * ratio.backward, normal_force * ratio.tensile};
-    }
 
     const ThreadPool& pool_;
     SegmentStrength strength_;

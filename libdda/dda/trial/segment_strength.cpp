@@ -1,8 +1,16 @@
 #include "dda/trial/segment_strength.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace rockslope::dda {
+
+namespace {
+
+/// Length of the secant of the hardening, over the displacement at which the springs bear the strength.
+constexpr double secant_length = 0.01;
+
+}  // namespace
 
 SegmentStrength::SegmentStrength(const StepProblem& problem)
     : p_(problem), strength_factor_(1 / problem.model.strength_reduction) {
@@ -44,14 +52,25 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
 
 Strength SegmentStrength::over_normal_force(std::size_t index, const SegmentLoading& loading) const {
     const Segment& segment = segments_[index];
-    Strength strengths =
+    const Strength strengths =
         strength(*segment.law, *segment.history, loading.normal, segment.length,
                  {loading.displacement,
                   segment.shear_force + (loading.normal - segment.normal_force) * segment.locked_slope,
                   segment.shear_stiffness});
-    const double factor = strength_factor_ / loading.normal;
-    for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= factor;
-    return strengths;
+    return strength_factor_ / loading.normal * strengths;
+}
+
+/// The slope of Eq. (102).
+Hardening SegmentStrength::hardening(std::size_t index, const SegmentLoading& loading,
+                                     const Strength& strength) const {
+    const int direction = sign_of(loading.displacement);
+    const auto ahead = [&](const Strength& s) { return direction > 0 ? s.forward : s.backward; };
+    const double further = secant_length * ahead(strength) * loading.normal / stiffness(index);
+    if (direction == 0 || !(further > 0) || !std::isfinite(further)) return {};
+    const Strength there =
+        over_normal_force(index, {loading.normal, loading.displacement + direction * further});
+    const double of_ahead = std::max((ahead(there) - ahead(strength)) / further, 0.0);
+    return direction > 0 ? Hardening{of_ahead, 0} : Hardening{0, of_ahead};
 }
 
 }  // namespace rockslope::dda

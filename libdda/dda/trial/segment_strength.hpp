@@ -61,6 +61,10 @@ class SegmentStrength {
     /// Strengths over the normal force of a joint segment, divided by the model's strength reduction. They
     /// hold for each contact of the segment. @param loading with a positive normal force.
     Strength over_normal_force(std::size_t segment, const SegmentLoading& loading) const;
+    /// The hardening over the normal force of the strength in the direction of the displacement, 1/m; zero
+    /// where the joint softens. It is a secant over a hundredth of the displacement at which the springs of
+    /// the segment would bear the strength. @param strength over_normal_force() at the loading.
+    Hardening hardening(std::size_t segment, const SegmentLoading& loading, const Strength& strength) const;
 
   private:
     struct Segment {

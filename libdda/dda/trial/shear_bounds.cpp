@@ -1,6 +1,7 @@
 #include "dda/trial/shear_bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dda/trial/single_strength.hpp"
 
@@ -11,6 +12,18 @@ namespace {
 /// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
 /// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
+/// Least and largest hardening over the stiffness of the shear spring. Beside blocks that hardly resist, a
+/// small hardening decides how far a joint slides: without those below 0.03, slopes with
+/// 'continuously-yielding' joints do not settle.
+constexpr double least_hardening = 0.001;
+constexpr double largest_hardening = 0.9;
+
+/// A hardening, N/m per metre, as a power of two of the stiffness: the matrix seldom changes by it then.
+double rounded_hardening(double hardening, double stiffness) {
+    const double part = hardening / stiffness;
+    if (!(part > least_hardening)) return 0;
+    return std::min(std::exp2(std::round(std::log2(part))), largest_hardening) * stiffness;
+}
 
 }  // namespace
 
@@ -54,15 +67,20 @@ void ShearBounds::compute(double change_tolerance) {
     });
     segments_.update(
         change_tolerance, [this](ContactIndex k) { return trials_.loading(k); },
-        [this](ContactIndex k, const Strength& bounds) { trials_[k].bounds = bounds; });
+        [this](ContactIndex k, const Strength& bounds, const Hardening& by_law) {
+            const double stiffness = p_.springs[k].shear_stiffness;
+            trials_[k].set_bounds(bounds, {rounded_hardening(by_law.forward, stiffness),
+                                           rounded_hardening(by_law.backward, stiffness)});
+        });
 }
 
 Eigen::VectorXd ShearBounds::values() const {
     Eigen::VectorXd values(static_cast<Eigen::Index>(2 * trials_.count()));
     Eigen::Index row = 0;
     for (const ContactIndex k : p_.contacts.indices()) {
-        values[row++] = trials_[k].bounds.forward;
-        values[row++] = trials_[k].bounds.backward;
+        const ContactTrial& trial = trials_[k];
+        values[row++] = trial.bounds.forward - trial.hardening.forward * trial.held_shearing;
+        values[row++] = trial.bounds.backward + trial.hardening.backward * trial.held_shearing;
     }
     return values;
 }
@@ -70,8 +88,9 @@ Eigen::VectorXd ShearBounds::values() const {
 void ShearBounds::set_values(const Eigen::VectorXd& values) {
     Eigen::Index row = 0;
     for (const ContactIndex k : p_.contacts.indices()) {
-        trials_[k].bounds.forward = std::max(values[row++], 0.0);
-        trials_[k].bounds.backward = std::max(values[row++], 0.0);
+        ContactTrial& trial = trials_[k];
+        trial.bounds.forward = std::max(values[row++] + trial.hardening.forward * trial.held_shearing, 0.0);
+        trial.bounds.backward = std::max(values[row++] - trial.hardening.backward * trial.held_shearing, 0.0);
     }
 }
 

@@ -195,11 +195,12 @@ bool TrialContacts::update_active_set(Tilts tilts) {
 TrialContacts::ShearState TrialContacts::shear_state(ContactIndex k, Tilts tilts) const {
     const ContactTrial& trial = trials_[k];
     const double elastic = elastic_shear(k);
-    if (tilts == Tilts::follow) return {trial.may_close && is_within(elastic, trial.bounds), elastic >= 0};
-    const ContactLaw with_bounds = law(k);
-    const double force = with_bounds.elastic(trial.shearing);
-    const bool is_beyond = force > with_bounds.forward || force < with_bounds.backward;
-    return {with_bounds.locks(trial.shearing), is_beyond ? force > with_bounds.forward : elastic >= 0};
+    if (tilts == Tilts::follow)
+        return {trial.may_close && is_within(elastic, trial.bounds_here()), elastic >= 0};
+    const ContactLaw held = law(k);
+    const ShearPiece piece = held.shear_piece(trial.shearing);
+    return {held.locks(trial.shearing),
+            piece == ShearPiece::locked ? elastic >= 0 : piece == ShearPiece::forward};
 }
 
 bool TrialContacts::update_active_set_of(ContactIndex k, Tilts tilts) {
@@ -220,17 +221,21 @@ bool TrialContacts::update_active_set_of(ContactIndex k, Tilts tilts) {
         trial.set_tilt(tilt);
         changed = changed || active;
     }
-    trial.friction_force = law.shear - trial.tilt * law.normal;
     trial.slides_forward = shear.slides_forward;
+    const double stiffness = active && !shear.locked ? trial.hardening_ahead() : 0;
+    changed = changed || stiffness != trial.sliding_stiffness;
+    trial.sliding_stiffness = stiffness;
+    trial.friction_force = law.shear - trial.tilt * law.normal - stiffness * trial.shearing;
     return changed;
 }
 
 double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
-    if (is_within(elastic, trials_[k].bounds)) return 0;
+    const Strength bounds = trials_[k].bounds_here();
+    if (is_within(elastic, bounds)) return 0;
     if (!p_.model.is_augmented(p_.contacts[k].joint_material)) {
         // The spring bears nothing of what is too steep for the strength.
         const double climbing = by_slope(k);
-        const double climbed = std::clamp(climbing, -trials_[k].bounds.backward, trials_[k].bounds.forward);
+        const double climbed = std::clamp(climbing, -bounds.backward, bounds.forward);
         return (elastic - (climbing - climbed) - force) / p_.springs[k].shear_stiffness;
     }
     if (elastic == force) return 0;
@@ -276,7 +281,8 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     evaluated.bond_broken = trial.bond_broken;
     if (stays_closed(k)) {
         const double elastic = elastic_shear(k);
-        evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
+        evaluated.state =
+            is_within(elastic, trial.bounds_here()) ? ContactState::locked : ContactState::sliding;
         if (!is_rebounding(k) || coheres(k)) evaluated.slip = slip(k, elastic, forces.shear);
     }
     return evaluated;

@@ -209,7 +209,7 @@ inline Forces TrialContacts::linear_forces(ContactIndex k, double opening, doubl
     const ContactTrial& trial = trials_[k];
     return {trial.has_normal_spring ? trial.linear_normal(opening) : inactive_normal_force(k),
             trial.has_shear_spring ? shear_origin(k) + p_.springs[k].shear_stiffness * shearing
-                                   : trial.friction_force};
+                                   : trial.friction_force + trial.sliding_stiffness * shearing};
 }
 
 inline ContactLaw TrialContacts::law(ContactIndex k) const {
@@ -223,8 +223,9 @@ inline ContactLaw TrialContacts::law(ContactIndex k) const {
             trial.stress_free_gap,
             shear_origin(k),
             springs.shear_stiffness,
-            -trial.bounds.backward - by_dilation,
-            trial.bounds.forward - by_dilation,
+            -trial.bounds.backward - by_dilation - trial.hardening.backward * trial.held_shearing,
+            trial.bounds.forward - by_dilation - trial.hardening.forward * trial.held_shearing,
+            trial.hardening,
             least_normal_force(k),
             trial.may_close};
 }

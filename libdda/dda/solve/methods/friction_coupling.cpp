@@ -91,6 +91,7 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
             sliding.bonded = trials_.is_bonded(k);
             sliding.coheres = trials_.coheres(k);
             sliding.friction_force = trials_[k].friction_force;
+            sliding.by_hardening = trials_[k].sliding_stiffness * trials_[k].held_shearing;
             sliding.normal = trials_[k].linear_normal(springs.rows.measure(trials_.normal_measure(k), d));
             sliding.tilt = trials_[k].tilt;
             sliding.line = bounds_.line(sliding.contact, sliding.normal, d);

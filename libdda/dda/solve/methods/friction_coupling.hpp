@@ -41,6 +41,7 @@ class FrictionCoupling {
         bool bonded = false;
         bool coheres = false;       ///< its cohesion acts in this step, also without a normal force
         double friction_force = 0;  ///< shear force in the linear system
+        double by_hardening = 0;    ///< the part of the shear force at the bound that the matrix bears
         double normal = 0;          ///< normal force in the linear system
         double residual = 0;        ///< bound minus friction force, with their sign
 
@@ -49,7 +50,7 @@ class FrictionCoupling {
         bool dilates() const { return !contact.exists(); }
         double bound() const {
             if (dilates()) return line.slope * normal + line.cohesion;
-            return is_bounded() ? sign * line.at(normal) - tilt * normal : 0;
+            return (is_bounded() ? sign * line.at(normal) - tilt * normal : 0) - by_hardening;
         }
         double bound_slope() const {
             if (dilates()) return line.slope;

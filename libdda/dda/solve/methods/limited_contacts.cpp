@@ -8,14 +8,45 @@ namespace rockslope::dda {
 
 namespace {
 
+/// A shear bound that hardens: a line over the normal force through no force, and the part of the
+/// elastic shear force beyond it that the contact bears. The line goes through no force so that the pieces of
+/// the contact meet where it opens.
+struct HardeningBound {
+    double slope = 0;
+    double part = 0;
+};
+
+/// The bound of Eq. (103). @param ratio of bound and normal force there;
+/// @param elastic the elastic shear force over the normal force, positive in the direction of the bound;
+/// @param growth of the bound over that of the elastic shear force, below 1.
+HardeningBound hardening_bound(double ratio, double elastic, double growth) {
+    if (!(elastic > 0)) return {ratio, 0};
+    const double part = std::min(growth, ratio / elastic);
+    return {(ratio - part * elastic) / (1 - part), part};
+}
+
+/// Sets the bounds of a contact on a rough joint segment. @param ratio of bounds and normal force.
+void set_segment_bounds(const ContactTrial& trial, const ContactLaw& law, const Strength& ratio,
+                        LimitedContact& contact) {
+    HardeningBound forward{ratio.forward, 0};
+    HardeningBound backward{ratio.backward, 0};
+    if (trial.held_normal > 0 && trial.hardening.any()) {
+        const double elastic = law.elastic(trial.held_shearing) / trial.held_normal + trial.tilt;
+        const double stiffness = law.shear_stiffness;
+        forward = hardening_bound(ratio.forward, elastic, trial.hardening.forward / stiffness);
+        backward = hardening_bound(ratio.backward, -elastic, trial.hardening.backward / stiffness);
+    }
+    contact.forward.slope = forward.slope;
+    contact.backward.slope = backward.slope;
+    contact.hardening = {forward.part, backward.part};
+}
+
 /// Sets the shear bounds. @param normal N per metre, the normal force at d.
 void set_bounds(const TrialContacts& trials, const ShearBounds& bounds, ContactIndex k, double normal,
                 RowSpan<const Vec6> d, LimitedContact& contact) {
     const bool has_strength_alone = trials.is_bonded(k) || trials.coheres(k);
     if (bounds.is_on_segment(k)) {
-        const Strength ratio = bounds.over_normal_force(k);
-        contact.forward.slope = ratio.forward;
-        contact.backward.slope = ratio.backward;
+        set_segment_bounds(trials[k], trials.law(k), bounds.over_normal_force(k), contact);
         return;
     }
     const ShearLine line = bounds.line(k, normal, d);

@@ -23,11 +23,9 @@ LineSearch::Sample LineSearch::ContactLine::at(double step_length) const {
     const double o = opening.at(step_length);
     const double s = shearing.at(step_length);
     Sample sample;
-    if (law.may_close) {
-        const double elastic = law.elastic(s);
-        sample.piece = {law.normal(o) > law.least_normal, elastic >= law.backward && elastic <= law.forward,
-                        elastic > law.forward};
-    }
+    if (law.may_close)
+        sample.piece = {law.normal(o) > law.least_normal, law.shear_piece(s),
+                        law.largest(s) < law.smallest(s)};
     const Forces forces = law.forces(o, s);
     sample.work =
         (forces.shear - linear.shear) * shearing.rate - (forces.normal - linear.normal) * opening.rate;
@@ -35,12 +33,18 @@ LineSearch::Sample LineSearch::ContactLine::at(double step_length) const {
 }
 
 bool LineSearch::ContactLine::is_linear(const Piece& from, const Piece& to) const {
-    return from == to && (law.normal_law.is_linear() || !from.active);
+    return from == to && !from.crossed && (law.normal_law.is_linear() || !from.active);
+}
+
+double LineSearch::ContactLine::shear_stiffness(ShearPiece piece) const {
+    if (!law.may_close) return 0;
+    if (piece == ShearPiece::locked) return law.shear_stiffness;
+    return piece == ShearPiece::forward ? law.hardening.forward : law.hardening.backward;
 }
 
 double LineSearch::ContactLine::rate(const Piece& piece) const {
     return (piece.active ? law.normal_stiffness() * opening.rate * opening.rate : 0) +
-           (piece.locked ? law.shear_stiffness * shearing.rate * shearing.rate : 0);
+           shear_stiffness(piece.shear) * shearing.rate * shearing.rate;
 }
 
 /// The step length of Eq. (34), by bisection.

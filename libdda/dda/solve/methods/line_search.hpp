@@ -36,8 +36,8 @@ class LineSearch {
     /// is on the piece without force.
     struct Piece {
         bool active = false;
-        bool locked = false;
-        bool forward = false;  ///< the elastic shear force exceeds the forward bound
+        ShearPiece shear = ShearPiece::locked;
+        bool crossed = false;  ///< the bounds have crossed: as they harden, pieces may return
         bool operator==(const Piece&) const = default;
     };
     /// A contact at some step length.
@@ -61,6 +61,8 @@ class LineSearch {
         Sample at(double step_length) const;
         /// Whether its work is linear in the step length between two points on these pieces.
         bool is_linear(const Piece& from, const Piece& to) const;
+        /// How the shear force grows on a linear piece, N/m per metre.
+        double shear_stiffness(ShearPiece piece) const;
         /// The derivative of its work with respect to the step length on a linear piece.
         double rate(const Piece& piece) const;
     };

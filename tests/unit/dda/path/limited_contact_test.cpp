@@ -20,7 +20,8 @@ using rockslope::scene::RandomSource;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Contacts of each kind: friction, cohesion, a tilted spring, unequal bounds, bonds that hold or break.
+/// Contacts of each kind: friction, cohesion, a tilted spring, unequal bounds, bounds that harden, bonds that
+/// hold or break.
 std::vector<LimitedContact> kinds() {
     LimitedContact friction;
     friction.forward = friction.backward = {0, 0.7};
@@ -32,6 +33,8 @@ std::vector<LimitedContact> kinds() {
     steep.tilt = 1.1;
     LimitedContact unequal = tilted;
     unequal.forward.slope = 0.9;
+    LimitedContact hardening = unequal;
+    hardening.hardening = {0.4, 0.15};
     LimitedContact held = cohesive;
     held.least_normal = held.floor = -2;
     LimitedContact breakable = cohesive;
@@ -40,7 +43,7 @@ std::vector<LimitedContact> kinds() {
     LimitedContact weak = cohesive;
     weak.least_normal = -8;
     weak.floor = -3 / 0.7;
-    return {friction, cohesive, tilted, steep, unequal, held, breakable, weak};
+    return {friction, cohesive, tilted, steep, unequal, hardening, held, breakable, weak};
 }
 
 /// The forces by the laws themselves.
@@ -48,8 +51,11 @@ Vec2 by_laws(const LimitedContact& c, const ElasticForces& elastic) {
     const double normal = std::max(elastic.normal, c.least_normal);
     const double at = std::max(normal, c.floor);
     const double by_tilt = c.tilt * normal;
-    return {normal, std::clamp(elastic.shear, -std::max(c.backward.at(at), 0.0) - by_tilt,
-                               std::max(c.forward.at(at), 0.0) - by_tilt)};
+    const double most = std::max(c.forward.at(at), 0.0) - by_tilt;
+    const double least = -std::max(c.backward.at(at), 0.0) - by_tilt;
+    return {normal, std::clamp(elastic.shear, least, most) +
+                        c.hardening.forward * std::max(elastic.shear - most, 0.0) +
+                        c.hardening.backward * std::min(elastic.shear - least, 0.0)};
 }
 
 Vec2 by_pieces(const LimitedContact& c, const ElasticForces& elastic) {

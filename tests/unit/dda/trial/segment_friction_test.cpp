@@ -32,7 +32,7 @@ struct SegmentFriction : testing::Test {
     }
     void update(double tolerance) { update_in(friction, tolerance); }
     void update_in(dda::SegmentFriction& of, double tolerance) const {
-        of.update(tolerance, of_index(), [](std::size_t, const Strength&) {});
+        of.update(tolerance, of_index(), [](std::size_t, const Strength&, const dda::Hardening&) {});
     }
     /// Shear bound over normal force of each contact. Lines that were not requested have no cohesion.
     std::vector<double> ratios_of(const dda::SegmentFriction& of) const {
@@ -90,7 +90,7 @@ TEST_F(SegmentFriction, IsEvaluatedForSegmentsThatWereOpen) {
 
 TEST_F(SegmentFriction, GivesEachContactTheBoundOfItsNormalForce) {
     std::vector<int> times(loading.size(), 0);
-    friction.update(1e9, of_index(), [&](std::size_t k, const Strength& bounds) {
+    friction.update(1e9, of_index(), [&](std::size_t k, const Strength& bounds, const dda::Hardening&) {
         ++times[k];
         EXPECT_EQ(bounds.forward, loading[k].normal * friction.line(k, true, 1).slope);
         EXPECT_EQ(bounds.backward, loading[k].normal * friction.line(k, false, 1).slope);

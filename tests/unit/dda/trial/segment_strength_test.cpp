@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "dda/trial/joint_motion.hpp"
+#include "support/resting_block.hpp"
 #include "support/rough_segments.hpp"
 
 namespace rockslope::segment_strength_test {
@@ -54,6 +57,38 @@ TEST(SegmentStrength, MatchesTheSegmentMotion) {
         }
     }
     EXPECT_GT(bearing, 400);
+}
+
+// d tau/ds = k (1 - tau/tau_m)/(1 - r) of Eq. (73), here without damage and with r = 0. The secant is over a
+// hundredth of tau/k, so it is smaller by half a percent at most.
+TEST(SegmentStrength, HardensByTheSlopeOfItsLaw) {
+    const double bound = std::tan(scene::radians(30)), normal = 2e5;
+    scene::RestingContacts block(dda::ContinuouslyYielding{scene::radians(30), scene::radians(30), 1e-3});
+    const dda::SegmentStrength strengths(block.problem);
+    ASSERT_EQ(strengths.count(), 1u);
+    ASSERT_EQ(strengths.stiffness(0), 2e9);
+    for (const int direction : {1, -1}) {
+        for (const double way : {2e-6, 5e-5, 2e-4}) {
+            const dda::SegmentLoading loading{normal, direction * way};
+            const dda::Strength strength = strengths.over_normal_force(0, loading);
+            const double here = direction > 0 ? strength.forward : strength.backward;
+            const dda::Hardening found = strengths.hardening(0, loading, strength);
+            const double expected = 2e9 / normal * (1 - here / bound);
+            EXPECT_NEAR(direction > 0 ? found.forward : found.backward, expected, 0.01 * expected) << way;
+            EXPECT_EQ(direction > 0 ? found.backward : found.forward, 0) << "against the displacement";
+        }
+    }
+    EXPECT_FALSE(strengths.hardening(0, {normal, 0}, strengths.over_normal_force(0, {normal, 0})).any());
+}
+
+// A joint that wears softens behind its peak: no hardening is negative.
+TEST(SegmentStrength, HasNoHardeningWhereItSoftens) {
+    scene::RestingContacts block(dda::ContinuouslyYielding{scene::radians(40), scene::radians(20), 1e-4});
+    const dda::SegmentStrength strengths(block.problem);
+    const dda::SegmentLoading loading{2e5, 3e-4};
+    const dda::Strength strength = strengths.over_normal_force(0, loading);
+    ASSERT_LT(strengths.over_normal_force(0, {2e5, 4e-4}).forward, strength.forward);
+    EXPECT_FALSE(strengths.hardening(0, loading, strength).any());
 }
 
 }  // namespace

@@ -82,5 +82,32 @@ TEST(ShearBounds, CanBeReadAndSet) {
     EXPECT_EQ(block.evaluated()[1].shear_force, -400);
 }
 
+// A bound that hardens is held as a line over the shear displacement, Eq. (102): near where it was set it is
+// that of the law, and it is read and set at no displacement.
+TEST(ShearBounds, HardenWithTheShearDisplacement) {
+    const dda::ContinuouslyYielding law{radians(30), radians(30), 1e-3};
+    const double way = 1e-5;
+    RestingContacts block(law);
+    block.move(way, 1e-5);
+    block.bounds.update();
+    const double hardening = block.trials[0].hardening.forward;
+    EXPECT_GT(hardening, 0);
+    EXPECT_EQ(std::exp2(std::round(std::log2(hardening / block.spring))), hardening / block.spring)
+        << "a power of two of the spring";
+    const double force = block.evaluated()[0].shear_force;
+    const Eigen::VectorXd values = block.bounds.values();
+    EXPECT_NEAR(values[0], force - hardening * way, 1e-9 * force);
+    block.move(1.1 * way, 1e-5);
+    EXPECT_NEAR(block.evaluated()[0].shear_force, force + hardening * 0.1 * way, 1e-9 * force);
+    RestingContacts further(law);
+    further.move(1.1 * way, 1e-5);
+    further.bounds.update();
+    const double by_law = further.evaluated()[0].shear_force;
+    EXPECT_LT(std::abs(block.evaluated()[0].shear_force - by_law), 0.5 * (by_law - force))
+        << "nearer to the law than a bound without hardening";
+    block.bounds.set_values(values);
+    EXPECT_NEAR(block.evaluated()[0].shear_force, force + hardening * 0.1 * way, 1e-9 * force);
+}
+
 }  // namespace
 }  // namespace rockslope::shear_bounds_test

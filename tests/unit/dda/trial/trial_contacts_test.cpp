@@ -161,5 +161,21 @@ TEST(TrialContacts, ASlidingContactHasItsFrictionForceAsALoad) {
     EXPECT_NEAR(linear.shear, -1e4 * tan30, 1e-5) << "does not follow the shear displacement";
 }
 
+// The forces of the linear system are the tangent of the law where a bound hardens, Eq. (102).
+TEST(TrialContacts, AreTangentToABoundThatHardens) {
+    RestingContacts block(dda::ContinuouslyYielding{radians(30), radians(30), 1e-3});
+    block.move(2e-5, 1e-5);
+    block.bounds.update();
+    EXPECT_TRUE(block.trials.update_active_set());
+    EXPECT_FALSE(block.trials[0].has_shear_spring);
+    EXPECT_GT(block.trials[0].sliding_stiffness, 0);
+    for (const double way : {2e-5, 1.9e-5, 3e-5}) {
+        block.move(way, 1e-5);
+        EXPECT_LE(block.trials.force_change().largest, 1e-9) << way;
+    }
+    block.move(1e-7, 1e-5);
+    EXPECT_GT(block.trials.force_change().largest, 1e2) << "locked there";
+}
+
 }  // namespace
 }  // namespace rockslope::trial_contacts_test

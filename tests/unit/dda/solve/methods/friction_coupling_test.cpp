@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "dda/solve/step_matrix.hpp"
-#include "support/first_step.hpp"
+#include "support/resting_block.hpp"
 
 namespace rockslope::friction_coupling_test {
 namespace {
@@ -26,7 +26,15 @@ struct SlidingWall {
         : step(law), solver(dda::make_linear_solver(kind, step.pool)) {
         if (law.index() != dda::JointLaw(dda::MohrCoulomb()).index()) add_inertia();
         RandomSource random(seed);
-        const std::vector<Vec6> displacement = moved(random, step.rows.count(), 1);
+        move(moved(random, step.rows.count(), 1));
+    }
+    /// Another model, moved by a displacement.
+    SlidingWall(const dda::Model& model, const std::vector<Vec6>& displacement)
+        : step(model), solver(dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool)) {
+        add_inertia();
+        move(displacement);
+    }
+    void move(const std::vector<Vec6>& displacement) {
         trials.set_displacement(displacement, displacement);
         contacts.entrances.select_first();
         contacts.dilation.update();
@@ -74,7 +82,8 @@ struct SlidingWall {
         for (std::size_t k = 0; k < trials.count(); ++k) {
             if (!slides(k)) continue;
             const double normal = normal_force(k, d);
-            const double shear = trials[k].friction_force + trials[k].tilt * std::max(normal, 0.0);
+            const double shear = trials[k].friction_force + trials[k].tilt * std::max(normal, 0.0) +
+                                 trials[k].sliding_stiffness * trials[k].held_shearing;
             const double sign = trials[k].slides_forward ? 1 : -1;
             largest = std::max(largest, std::abs(sign * bound(k, normal, d) - shear));
         }
@@ -163,6 +172,21 @@ INSTANTIATE_TEST_SUITE_P(Seeds, FrictionCouplingOfMovedWalls,
                          testing::Combine(testing::Values(1u, 2u, 3u, 4u, 5u),
                                           testing::Values(dda::SolverKind::multifrontal,
                                                           dda::SolverKind::refined)));
+
+// A block whose bounds grow as it slides: the matrix bears a part of its shear forces, Eq. (102).
+TEST(FrictionCoupling, MatchesTheBoundsOfJointsThatHarden) {
+    const Scene block = resting_block(dda::ContinuouslyYielding{radians(35), radians(25), 1e-3});
+    SlidingWall wall(block.model, {RestingContacts::displacement(2e-5, 1e-5)});
+    ASSERT_EQ(wall.trials.count(), 2u);
+    for (const dda::ContactIndex k : {dda::ContactIndex(0), dda::ContactIndex(1)})
+        ASSERT_GT(wall.trials[k].sliding_stiffness * wall.trials[k].held_shearing,
+                  0.1 * wall.trials[k].bounds.forward);
+    wall.step.base.load[0] << 3e3, -2.5e4, 1e3, 0, 0, 0;
+    std::vector<Vec6> d = wall.solution();
+    ASSERT_GT(wall.violation(d), 1e3);
+    dda::FrictionCoupling coupling(wall.problem, wall.contacts, *wall.solver, wall.step.pool);
+    expect_solved(wall, coupling, d);
+}
 
 // Where repeated solutions bring the friction forces to their bounds, another one changes nothing. Some
 // other walls keep contacts whose bound is cut off at zero.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dda/trial/step_contacts.hpp"
+#include "support/cyclic_joints.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::limited_contacts_test {
@@ -51,8 +52,9 @@ double difference(const dda::JointLaw& law, unsigned seed, double damping) {
 }
 
 TEST(LimitedContacts, HaveTheForcesOfTheLawsWhereTheyAreFrozen) {
-    const std::vector<dda::JointLaw> laws = {Scene::mohr_coulomb(35), Scene::mohr_coulomb(35, 2e4),
-                                             dda::Plesha{{radians(25), radians(10), 1e-5}}};
+    const std::vector<dda::JointLaw> laws = {
+        Scene::mohr_coulomb(35), Scene::mohr_coulomb(35, 2e4), dda::Plesha{{radians(25), radians(10), 1e-5}},
+        joint_tests::granite(), dda::ContinuouslyYielding{radians(35), radians(25), 1e-3}};
     for (std::size_t law = 0; law < laws.size(); ++law) {
         for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
             for (const double damping : {0.0, 0.4})

@@ -23,8 +23,9 @@ struct MovingWall {
     std::vector<Vec6> from;
 
     /// @param damping stiffness of the dashpots over that of the springs.
-    explicit MovingWall(RandomSource& random, double damping = 0)
-        : from(moved(random, step.rows.count(), 2)) {
+    explicit MovingWall(RandomSource& random, double damping = 0,
+                        const dda::JointLaw& law = Scene::mohr_coulomb(35))
+        : step(law), from(moved(random, step.rows.count(), 2)) {
         if (damping > 0) {
             for (const dda::ContactSprings& s : step.springs)
                 dashpots.push_back({damping * s.normal_stiffness, 3e-5, 1});
@@ -62,12 +63,12 @@ struct MovingWall {
     }
 };
 
-/// @param damping see MovingWall.
-void expect_zero_of_the_slope(double damping) {
+/// @param damping, law see MovingWall.
+void expect_zero_of_the_slope(double damping, const dda::JointLaw& law = Scene::mohr_coulomb(35)) {
     RandomSource random(7);
     int inside = 0;
     for (int round = 0; round < 40; ++round) {
-        const MovingWall wall(random, damping);
+        const MovingWall wall(random, damping, law);
         std::vector<Vec6> target = moved(random, wall.step.rows.count(), 1 + random.index_below(3));
         for (Vec6& of_row : target) of_row *= std::pow(10, random.index_below(4)) / 10;
         dda::LineSearch search(wall.problem, wall.trials, wall.step.pool);
@@ -93,6 +94,11 @@ TEST(LineSearch, FindsTheZeroOfTheSlope) {
 TEST(LineSearch, FindsTheZeroOfTheSlopeWithDashpots) {
     expect_zero_of_the_slope(0.3);
     expect_zero_of_the_slope(3);
+}
+
+// Where a bound hardens a sliding contact has a stiffness, too.
+TEST(LineSearch, FindsTheZeroOfTheSlopeWithBoundsThatHarden) {
+    expect_zero_of_the_slope(0, dda::ContinuouslyYielding{radians(35), radians(25), 1e-3});
 }
 
 TEST(LineSearch, IsBitwiseTheSameForAnyNumberOfThreads) {
