@@ -190,6 +190,16 @@ void print_broken_bonds(const dda::BrokenBonds& broken) {
                  static_cast<long long>(broken.contacts), static_cast<long long>(broken.events));
 }
 
+/// Says how many bonds hold a slope at rest by all of their strength.
+void warn_of_strained_bonds(const dda::StrainedBonds& strained, Warnings& warnings) {
+    if (strained.contacts == 0) return;
+    warnings.tell(
+        "%lld of %lld bonded contacts bear all of their strength at rest, and a dynamic stage may break "
+        "them; one "
+        "without shaking shows whether the slope stands",
+        static_cast<long long>(strained.contacts), static_cast<long long>(strained.of));
+}
+
 /// Says how many reversals hang on `min_slip`.
 void warn_of_close_reversals(const dda::CloseReversals& close, Warnings& warnings) {
     if (close.counted + close.not_counted == 0) return;
@@ -223,6 +233,7 @@ void tell_of_results(const dda::RunInput& input, const dda::State& state, const 
     if (outcome.status == dda::RunStatus::completed)
         warn_of_still_moving(input.model, state, input.stages.back(), results, warnings);
     print_broken_bonds(state.broken_bonds);
+    warn_of_strained_bonds(state.strained_bonds, warnings);
     if (outcome.status != dda::RunStatus::energy_created) warn_of_energy(input.model, state.energy, warnings);
     warn_of_close_reversals(dda::with_present(results.state().close_reversals, input.model, state), warnings);
 }

@@ -20,6 +20,9 @@ constexpr double least_held_share = 0.8;
 /// The measure of Eq. (96) above which a bond yields at its whole strength.
 constexpr double wholly_held_measure = 0.5;
 
+/// A bond bears all of its strength from this share on.
+constexpr double all_of_strength = 0.99;
+
 /// The history of a contact whose bond has broken.
 JointHistory broken(const JointLaw& law, const JointHistory& history) {
     ContactMotion motion;
@@ -102,6 +105,28 @@ int break_worst_bonds(const Model& model, State& state) {
     state.broken_bonds.contacts += count;
     if (count > 0) ++state.broken_bonds.events;
     return count;
+}
+
+StrainedBonds strained_bonds(const Model& model, const State& state) {
+    StrainedBonds found;
+    for (const Contact& contact : state.contacts.contacts) {
+        const JointLaw& law = model.joint_material_at(contact.joint_material).law;
+        if (contact.state == ContactState::open || has_segment_history(law) || !has_cohesion(law)) continue;
+        const double pressing = std::max(contact.normal_force, 0.0);
+        const Strength whole = strength(law, contact.history, pressing, contact.length);
+        const Strength residual = strength(law, broken(law, contact.history), pressing, contact.length);
+        const bool forward = contact.shear_force > 0;
+        const double shear = forward ? whole.forward : whole.backward;
+        const bool loses_shear = (forward ? residual.forward : residual.backward) < shear;
+        const bool loses_tension = residual.tensile < whole.tensile;
+        if (!loses_shear && !loses_tension) continue;
+        const double borne = all_of_strength / model.strength_reduction;
+        ++found.of;
+        if ((loses_shear && std::abs(contact.shear_force) >= borne * shear) ||
+            (loses_tension && -contact.normal_force >= borne * whole.tensile))
+            ++found.contacts;
+    }
+    return found;
 }
 
 void relax_held_bonds(const Model& model, State& state) {

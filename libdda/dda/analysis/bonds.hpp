@@ -21,6 +21,11 @@ PerContact<double> held_shares(const Model& model, ContactSpan<const Contact> co
 /// all bonds hold.
 int break_worst_bonds(const Model& model, State& state);
 
+/// Counts the bonds that hold, and those of them that bear all of the strength that they would lose, to a
+/// hundredth: they have slipped or opened within their largest strain, and a dynamic stage breaks them as
+/// soon as they move further.
+StrainedBonds strained_bonds(const Model& model, const State& state);
+
 /// Lets the normal springs of held bonds begin where they bear the present forces, at the end of a static
 /// stage: what a bond has opened at its tensile strength is no tension of the stage that follows, Eq. (96).
 void relax_held_bonds(const Model& model, State& state);

@@ -177,6 +177,14 @@ RunOutcome collapsed(const Model& model, const Stage& stage, const State& state,
     return {RunStatus::collapsed, describe(model, stage, state, collapse), {}, collapse};
 }
 
+/// What the end of a static stage makes of the state at rest. @param holds whether bonds hold in the stage.
+void come_to_rest(const Model& model, const Stage& stage, State& state, bool holds) {
+    stop(model, stage, state);
+    if (!holds) return;
+    state.strained_bonds = strained_bonds(model, state);
+    relax_held_bonds(model, state);
+}
+
 }  // namespace
 
 void begin_stage(State& state) {
@@ -184,6 +192,7 @@ void begin_stage(State& state) {
     state.next_step = 0;
     state.stage_steps = 0;
     state.short_steps = 0;
+    state.strained_bonds = {};
     state.stage_origin.clear();
     for (const AreaMoments& moments : state.blocks.moments) state.stage_origin.push_back(moments.centroid);
 }
@@ -227,10 +236,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         state.short_steps = dt < crawling_share * stage.control.step ? state.short_steps + 1 : 0;
         const bool bonds_break = holds && break_worst_bonds(model, state) > 0;
         attempt.report.at_rest = is_static && !bonds_break && is_at_rest(model, state, stage);
-        if (attempt.report.at_rest) {
-            stop(model, stage, state);
-            if (holds) relax_held_bonds(model, state);
-        }
+        if (attempt.report.at_rest) come_to_rest(model, stage, state, holds);
         note_deepest_contact(model, state);
         const std::vector<BlockIndex> lost = note_lost_blocks(model, state);
         if (!observer.step_done(model, state, stage, attempt.report))

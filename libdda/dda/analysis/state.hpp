@@ -16,6 +16,12 @@ struct BrokenBonds {
     std::int64_t events = 0;    ///< in which they broke, the worst first
 };
 
+/// Bonds that are held at rest, see strained_bonds().
+struct StrainedBonds {
+    std::int64_t contacts = 0;  ///< whose bonds bear all of their strength
+    std::int64_t of = 0;        ///< contacts with a bond
+};
+
 /// A block that has left the model's ground, see note_lost_blocks().
 struct LostBlock {
     BlockIndex block;
@@ -51,6 +57,7 @@ struct StateWithoutContacts {
     FreeFieldMotions free_fields;          ///< of the columns beside viscous boundaries
     Energy energy;
     BrokenBonds broken_bonds;            ///< of static stages whose bonds break at rest
+    StrainedBonds strained_bonds;        ///< at the end of such a stage; none from the next stage on
     std::vector<LostBlock> lost_blocks;  ///< in the order in which they left the ground
     DeepestContact deepest_contact;      ///< so far
     PerBlock<std::uint8_t> removed;      ///< per block, 1 if excavated; empty as long as no block is

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 20;
+constexpr std::int64_t checkpoint_version = 21;
 constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>

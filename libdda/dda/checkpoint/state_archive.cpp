@@ -203,10 +203,12 @@ template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, short_steps, all_blocks,
            displacement_origin, centroid_origin, vertex_origin, stage_origin, bolt_force, boundary_reactions,
-           free_fields, ledger, broken_bonds, lost_blocks, deepest_contact, removed] = value;
+           free_fields, ledger, broken_bonds, strained_bonds, lost_blocks, deepest_contact, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     auto& [broken_contacts, breaking_events] = broken_bonds;
-    integers(walker, step_count, stage_steps, short_steps, broken_contacts, breaking_events);
+    auto& [strained_contacts, bonded_contacts] = strained_bonds;
+    integers(walker, step_count, stage_steps, short_steps, broken_contacts, breaking_events,
+             strained_contacts, bonded_contacts);
     blocks(walker, all_blocks);
     all_components(walker, displacement_origin);
     all_components(walker, centroid_origin);

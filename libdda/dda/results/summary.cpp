@@ -357,6 +357,9 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (state.broken_bonds.events > 0)
         json["bonds_broken_at_rest"] = {{"contacts", state.broken_bonds.contacts},
                                         {"events", state.broken_bonds.events}};
+    if (state.strained_bonds.of > 0)
+        json["bonds_at_their_strength"] = {{"contacts", state.strained_bonds.contacts},
+                                           {"of", state.strained_bonds.of}};
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";

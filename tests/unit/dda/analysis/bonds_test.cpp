@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "dda/analysis/run_stage.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
@@ -77,6 +78,32 @@ TEST(Bonds, YieldAtFourFifthsOfTheirStrengthUntilTheyMove) {
     for (dda::Contact& contact : contacts) contact.joint_material = dda::JointMaterialIndex(0);
     const auto held = dda::held_shares(glued.scene.model, contacts);
     for (const dda::ContactIndex k : contacts.indices()) EXPECT_DOUBLE_EQ(held[k], shares[k.value()]);
+}
+
+// A block near the limit rests by all of the strength of its two bonds, one well below it by a part.
+TEST(Bonds, AreStrainedNearTheLimit) {
+    for (const double share : {1.001, 1.1, 2.0}) {
+        GluedBlock glued(45, share * GluedBlock::needed(45), 5 * weight);
+        Simulation sim(glued.scene);
+        ASSERT_EQ(sim.run(glued.stage).status, dda::RunStatus::completed) << share;
+        EXPECT_EQ(sim.state.strained_bonds.of, 2) << share;
+        EXPECT_EQ(sim.state.strained_bonds.contacts, share < 1.01 ? 2 : 0) << share;
+        dda::begin_stage(sim.state);
+        EXPECT_EQ(sim.state.strained_bonds.of, 0) << "of a stage before";
+    }
+}
+
+// A bond whose residual strength is that of its peak has nothing to lose.
+TEST(Bonds, AreNotStrainedWhereTheyLoseNoStrength) {
+    const double cohesion = 1.001 * GluedBlock::needed(45);
+    GluedBlock glued(45, cohesion);
+    dda::MohrCoulomb law;
+    law.friction_angle = law.residual_friction_angle = radians(30);
+    law.cohesion = law.residual_cohesion = cohesion;
+    glued.scene.model.joint_materials[0].law = law;
+    Simulation sim(glued.scene);
+    ASSERT_EQ(sim.run(glued.stage).status, dda::RunStatus::completed);
+    EXPECT_EQ(dda::strained_bonds(glued.scene.model, sim.state).of, 0);
 }
 
 // A block that hangs from its bonds at their tensile strength: the spring of the next stage bears that force
