@@ -53,6 +53,20 @@ std::vector<Rim> rims_of(const BlockMesh& mesh, const SlopeModel& model) {
     return rims;
 }
 
+/// Whether a region lies outside the section: no block is of its rock, and its outline is along none.
+bool is_outside(const CutContext& cut, SourceIndex region) {
+    const RockIndex rock(region - cut.table.first_region + 1);
+    if (std::find(cut.faces.material.begin(), cut.faces.material.end(), rock) != cut.faces.material.end())
+        return false;
+    return std::none_of(cut.noded.edges.indices().begin(), cut.noded.edges.indices().end(), [&](EdgeIndex e) {
+        const auto sources = cut.noded.sources_of(e);
+        const bool along = std::any_of(sources.begin(), sources.end(),
+                                       [&](const EdgeSource& s) { return s.source == region; });
+        return along && (cut.block_of(forward_half(e)) != FaceBlocks::outside ||
+                         cut.block_of(backward_half(e)) != FaceBlocks::outside);
+    });
+}
+
 /// Whether the outline of a region runs between two faces of one block without a joint.
 bool is_fused(const CutContext& cut, SourceIndex region) {
     for (const EdgeIndex e : cut.noded.edges.indices()) {
@@ -105,6 +119,10 @@ std::vector<std::string> region_warnings(const CutContext& cut) {
     std::vector<std::string> warnings;
     for (const SourceIndex source : indices(cut.table.first_region, cut.table.first_excavation)) {
         const Region& region = cut.model.regions[source - cut.table.first_region];
+        if (is_outside(cut, source)) {
+            warnings.push_back(std::string(region.kind) + " '" + region.name + "' lies outside the section");
+            continue;
+        }
         const bool has_cells = std::any_of(
             cut.model.joint_sets.begin(), cut.model.joint_sets.end(),
             [&](const JointSet& set) { return set.kind == SetKind::voronoi && set.region == region.name; });

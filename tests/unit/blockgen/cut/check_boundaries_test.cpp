@@ -47,6 +47,20 @@ TEST(CheckBoundaries, ATinyPrescribedBlockIsNamed) {
                                                             HasSubstr("is tiny: 0.02 m2"))));
 }
 
+TEST(CheckBoundaries, ARegionOutsideTheSectionIsNamed) {
+    const auto region = [](const char* name, const char* polygon) {
+        return "[[region]]\nname = \"" + std::string(name) + "\"\npolygon = " + polygon + "\n";
+    };
+    const std::string inside = region("inside", "[[3, 1], [7, 1], [7, 9], [3, 9]]"),
+                      across = region("across", "[[8, 1], [12, 1], [12, 9], [8, 9]]"),
+                      around = region("around", "[[-1, -1], [20, -1], [20, 20], [-1, 20]]"),
+                      aside = region("aside", "[[30, 1], [34, 1], [34, 9], [30, 9]]");
+    for (const std::string& some : {inside, across, around, inside + across})
+        EXPECT_THAT(warnings_of(layers(some)), IsEmpty()) << some;
+    EXPECT_THAT(warnings_of(layers(inside + aside)),
+                ElementsAre(HasSubstr("region 'aside' lies outside the section")));
+}
+
 TEST(CheckBoundaries, ARegionWhoseJointMaterialHasNoEffectIsNamed) {
     const std::string region = "[[region]]\nname = \"zone\"\npolygon = [[3, 1], [7, 1], [7, 9], [3, 9]]\n";
     EXPECT_THAT(warnings_of(layers(region)), IsEmpty());
