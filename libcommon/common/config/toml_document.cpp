@@ -168,6 +168,19 @@ std::string_view type_name(const toml::node& node) {
     }
 }
 
+namespace {
+
+/// What a text that does not parse should have been.
+std::string expected_of(std::string_view description) {
+    const bool is_name = description.find("table header") != std::string_view::npos ||
+                         description.find("key") != std::string_view::npos;
+    return is_name
+               ? "a TOML file; a name with blanks or other signs needs quotes, as in [table.\"two words\"]"
+               : "a TOML file";
+}
+
+}  // namespace
+
 toml::table parse_toml(std::string_view text, const std::string& file_name) {
     if (const int line = KeyScanner(text).line_of_longest_key(); line > 0)
         throw InputError({file_name, line}, "a key has more than " + std::to_string(most_names) + " names",
@@ -177,7 +190,7 @@ toml::table parse_toml(std::string_view text, const std::string& file_name) {
     } catch (const toml::parse_error& error) {
         const auto& where = error.source().begin;
         throw InputError({file_name, static_cast<int>(where.line), static_cast<int>(where.column)},
-                         std::string(error.description()), "a TOML file");
+                         std::string(error.description()), expected_of(error.description()));
     }
 }
 
