@@ -113,6 +113,9 @@ std::optional<std::string> first_difference(const std::string& start, const std:
 }
 
 Checkpoint read_saved_state(const fs::path& path, const std::string& fingerprint, int stages) {
+    if (!fs::exists(path))
+        throw InputError({path.string()}, "there is no such file",
+                         "the end of a stage that another run saved, by --until or save_stages");
     Checkpoint saved = read_checkpoint(path);
     if (saved.start_of_run.empty())
         throw InputError({path.string()}, "is a checkpoint from within a stage",
