@@ -148,6 +148,20 @@ void check_sizes(const Model& model, std::vector<std::string>& warnings) {
     check_chips(model, blocks, *middle, warnings);
 }
 
+/// A head of water that reaches none of the faces that it should wet.
+void check_head(const Model& model, const HeadWater& water, std::vector<std::string>& warnings) {
+    double lowest_face = std::numeric_limits<double>::infinity(), highest_head = -lowest_face;
+    for (const EdgeIndex e : water.edges)
+        for (const CornerIndex c : {start_of(e), model.topology.end_of(e)})
+            lowest_face = std::min(lowest_face, model.vertices[c].y());
+    for (const Vec2& point : water.head) highest_head = std::max(highest_head, point.y());
+    if (highest_head < lowest_face)
+        warnings.push_back(
+            sentence("[[%s]]: the head is at y = %.6g m at most, below all faces that it should wet, which "
+                     "begin at y = %.6g m; no water acts",
+                     HeadWater::key, highest_head + model.origin.y(), lowest_face + model.origin.y()));
+}
+
 /// Energy of a table after a time over that of all of it: integrals of the squared acceleration.
 double energy_after(const TimeTable& table, double time) {
     double all = 0, after = 0;
@@ -184,6 +198,8 @@ std::vector<std::string> implausible(const Model& model, const std::vector<Stage
     check_materials(model, warnings);
     check_joints(model, warnings);
     check_sizes(model, warnings);
+    for (const auto& load : model.loads)
+        if (const auto* water = std::get_if<HeadWater>(&load)) check_head(model, *water, warnings);
     for (const Stage& stage : stages)
         for (const auto* motions : {&stage.base_motions, &stage.frame_motions})
             for (const BaseMotion& motion : *motions) {

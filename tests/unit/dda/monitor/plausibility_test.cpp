@@ -101,6 +101,20 @@ TEST(Plausibility, FindsTensionBeyondTheEndOfTheShearStrength) {
     EXPECT_THAT(of(0, 1e5), IsEmpty()) << "blocks that are glued";
 }
 
+TEST(Plausibility, FindsHeadsBelowAllFaces) {
+    Scene s = block_on_floor();
+    s.model.origin = {0, 100};
+    const auto of = [&](double height) {
+        const dda::HeadWater water{
+            {dda::EdgeIndex(0), dda::EdgeIndex(1)}, {{0, height}}, 9810, dda::TimeTable()};
+        s.model.loads = {water};
+        return dda::implausible(s.model, {});
+    };
+    EXPECT_THAT(of(-0.5), IsEmpty()) << "the floor begins at -1";
+    EXPECT_THAT(of(-2), ElementsAre(AllOf(HasSubstr("[[head_water]]"), HasSubstr("y = 98 m"),
+                                          HasSubstr("y = 99 m"))));
+}
+
 TEST(Plausibility, FindsBlocksTooSmallForTheSection) {
     Scene s;
     s.friction(30);
