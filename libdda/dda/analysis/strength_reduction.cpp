@@ -39,6 +39,20 @@ class TrialObserver : public RunObserver {
     RunObserver& observer_;
 };
 
+/// Reduces the shear forces of joint segments to their reduced strengths. A law that lets its force lag
+/// behind a strength that falls as the joint wears would let it lag behind one that falls by the factor, too,
+/// and joints would bear more than they have.
+void reduce_to_strength(const Model& weakened, State& state) {
+    for (Contact& contact : state.contacts.contacts) {
+        const JointLaw& law = weakened.joint_material_at(contact.joint_material).law;
+        if (!has_segment_history(law) || !(contact.normal_force > 0)) continue;
+        const Strength whole = strength(law, *contact.history, contact.normal_force, contact.length);
+        const double reduced = 1 / weakened.strength_reduction;
+        contact.shear_force =
+            std::clamp(contact.shear_force, -reduced * whole.backward, reduced * whole.forward);
+    }
+}
+
 class FactorSearch {
   public:
     FactorSearch(const Model& model, const Stage& stage, const State& start, RunObserver& observer,
@@ -81,6 +95,7 @@ class FactorSearch {
         State state = start_;
         state.time = clock_;
         begin_stage(state);
+        reduce_to_strength(weakened, state);
         TrialObserver trial_observer(start_, observer_);
         const RunOutcome outcome = run_stage(weakened, stage_, stepper, state, trial_observer);
         if (trial_observer.stopped) return false;

@@ -76,6 +76,27 @@ TEST(StrengthReduction, FindsTheFactorOfABlockOnAPlane) {
     EXPECT_GT(sim.mechanism_move, 0);
 }
 
+// The strength of a joint that wears is at most that of its fresh surface, at least that of the worn one. Its
+// force may lag behind a strength that wears down, but not behind one that is reduced: while it did, slopes
+// of such joints stood under factors of up to 7.9 here.
+TEST(StrengthReduction, LeavesNoJointMoreThanItsReducedStrength) {
+    const double load = std::tan(radians(16));
+    for (const double stiffness : {1e6, 1e7, 1e8}) {
+        for (const double roughness_length : {2e-4, 1e-3, 5e-3}) {
+            SCOPED_TRACE(testing::Message() << stiffness << " N/m, " << roughness_length << " m");
+            Scene s = on_incline(16, 30, 0);
+            s.model.joint_materials[0].law =
+                dda::ContinuouslyYielding{radians(32), radians(24), roughness_length};
+            s.model.joint_materials[0].shear_penalty = stiffness;
+            Searched sim(s);
+            ASSERT_EQ(sim.settle(.005, 1e-6).status, dda::RunStatus::completed);
+            ASSERT_EQ(sim.search(.01).status, dda::RunStatus::completed);
+            EXPECT_LE(sim.stands, std::tan(radians(32)) / load * (1 + 1e-4));
+            EXPECT_GE(sim.fails, std::tan(radians(24)) / load * (1 - 1e-4));
+        }
+    }
+}
+
 // A block slips until enough roughness is mobilised. It stands while the peak strength suffices: Eq. (57) at
 // the mean stress of the plane.
 TEST(StrengthReduction, ReducesRoughnessLikeFriction) {
