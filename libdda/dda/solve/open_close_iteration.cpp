@@ -82,6 +82,7 @@ class OpenCloseIteration {
             }
             ++result_.iterations;
             const bool bounds_follow = iterations_since_restart() <= bound_update_iterations;
+            bounds_.hold_hardening(!bounds_follow);
             solve_linear_system(bounds_follow);
             end_of(Phase::solution, times_);
             const bool in_patches = is_in_patches();

@@ -69,8 +69,9 @@ void ShearBounds::compute(double change_tolerance) {
         change_tolerance, [this](ContactIndex k) { return trials_.loading(k); },
         [this](ContactIndex k, const Strength& bounds, const Hardening& by_law) {
             const double stiffness = p_.springs[k].shear_stiffness;
-            trials_[k].set_bounds(bounds, {rounded_hardening(by_law.forward, stiffness),
-                                           rounded_hardening(by_law.backward, stiffness)});
+            const Hardening rounded{rounded_hardening(by_law.forward, stiffness),
+                                    rounded_hardening(by_law.backward, stiffness)};
+            trials_[k].set_bounds(bounds, holds_hardening_ ? trials_[k].hardening : rounded);
         });
 }
 

@@ -20,7 +20,10 @@ class ShearBounds {
     void update();
     /// Sets the shear bounds, evaluating all joint laws.
     void update_all() { compute(0); }
-    /// The shear bounds, N per metre: forward and backward of each contact in turn.
+    /// Whether bounds keep their hardening when they are set: bounds from one minimum to the next differ by
+    /// the laws alone then, and can be mixed.
+    void hold_hardening(bool holds) { holds_hardening_ = holds; }
+    /// The shear bounds at no shear displacement, N per metre: forward and backward of each contact in turn.
     Eigen::VectorXd values() const;
     /// Sets the shear bounds; negative values become zero.
     void set_values(const Eigen::VectorXd& values);
@@ -61,6 +64,7 @@ class ShearBounds {
     const StepProblem& p_;
     TrialContacts& trials_;
     SegmentFriction segments_;
+    bool holds_hardening_ = false;
 };
 
 }  // namespace rockslope::dda
