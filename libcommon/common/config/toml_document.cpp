@@ -170,11 +170,14 @@ std::string_view type_name(const toml::node& node) {
 
 namespace {
 
-/// What a text that does not parse should have been.
+/// What a text that does not parse should have been. At a blank in a name toml++ expects the name's end.
 std::string expected_of(std::string_view description) {
-    const bool is_name = description.find("table header") != std::string_view::npos ||
-                         description.find("key") != std::string_view::npos;
-    return is_name
+    const auto says = [&](std::string_view words) {
+        return description.find(words) != std::string_view::npos;
+    };
+    const bool name_ends_early =
+        (says("expected ']', saw") || says("expected '=', saw")) && !says("saw '\\n'");
+    return name_ends_early
                ? "a TOML file; a name with blanks or other signs needs quotes, as in [table.\"two words\"]"
                : "a TOML file";
 }

@@ -104,6 +104,14 @@ TEST(ConfigTable, SyntaxErrorsHaveALocation) {
     EXPECT_EQ(error_of("a = 1\na = 2", number()).substr(0, 9), "m.toml:2:");
 }
 
+TEST(ConfigTable, NamesWithBlanksNeedQuotes) {
+    const std::string hint = "needs quotes, as in [table.\"two words\"]";
+    EXPECT_NE(error_of("[joint.bed ding]\na = 1", number()).find(hint), std::string::npos);
+    EXPECT_NE(error_of("bed ding = 1", number()).find(hint), std::string::npos);
+    for (const char* other : {"a = 1\na = 2", "a = [1, ", "a = ", "[a\n", "a = \"b\nc"})
+        EXPECT_EQ(error_of(other, number()).find("quotes"), std::string::npos) << error_of(other, number());
+}
+
 TEST(ConfigTable, OverridesReplaceAndMakeKeys) {
     const std::string text = "a = 1\n[[stage]]\nstep = 1\n[[stage]]\nstep = 2\n";
     const ConfigTable t = ConfigTable::from_text(
