@@ -195,8 +195,7 @@ void warn_of_strained_bonds(const dda::StrainedBonds& strained, Warnings& warnin
     if (strained.contacts == 0) return;
     warnings.tell(
         "%lld of %lld bonded contacts bear all of their strength at rest, and a dynamic stage may break "
-        "them; one "
-        "without shaking shows whether the slope stands",
+        "them; one without shaking shows whether the slope stands",
         static_cast<long long>(strained.contacts), static_cast<long long>(strained.of));
 }
 

@@ -109,5 +109,22 @@ TEST(ShearBounds, HardenWithTheShearDisplacement) {
     EXPECT_NEAR(block.evaluated()[0].shear_force, force + hardening * 0.1 * way, 1e-9 * force);
 }
 
+// Bounds that are mixed from minimum to minimum keep their slopes: only the laws change them.
+TEST(ShearBounds, KeepTheirHardeningWhileItIsHeld) {
+    RestingContacts block(dda::ContinuouslyYielding{radians(30), radians(30), 1e-3});
+    block.move(1e-5, 1e-5);
+    block.bounds.update();
+    const double hardening = block.trials[0].hardening.forward;
+    const double bound = block.trials[0].bounds.forward;
+    block.move(2e-5, 1e-5);
+    block.bounds.hold_hardening(true);
+    block.bounds.update();
+    EXPECT_EQ(block.trials[0].hardening.forward, hardening);
+    EXPECT_GT(block.trials[0].bounds.forward, bound);
+    block.bounds.hold_hardening(false);
+    block.bounds.update();
+    EXPECT_LT(block.trials[0].hardening.forward, hardening) << "nearer to the strength";
+}
+
 }  // namespace
 }  // namespace rockslope::shear_bounds_test
