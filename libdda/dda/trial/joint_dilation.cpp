@@ -24,6 +24,9 @@ constexpr int dilation_evaluations = 40;
 /// Increase of the normal force, over the normal or the elastic shear force, with which the change of the
 /// dilation with the normal force is found.
 constexpr double force_increment = 1e-4;
+/// Largest response of a dilation to its corrections. With 200 a joint may follow so slowly that 12 mm are
+/// left to the next step.
+constexpr double largest_response = 5;
 
 /// The derivative of the dilation along further slip. @param total dilation after `combined`, m.
 double slope_of_further_slip(const JointLaw& law, const SegmentMotion& combined, double total) {
@@ -49,6 +52,12 @@ double slope_by_normal_force(const JointLaw& law, const SegmentMotion& combined,
 
 }  // namespace
 
+/// Eq. (104).
+double DilationCorrection::response(double excess_now) const {
+    if (correction == 0) return 1;
+    return std::clamp((excess - excess_now) / correction, 1.0, largest_response);
+}
+
 JointDilation::JointDilation(const StepProblem& problem, TrialContacts& trials)
     : p_(problem),
       trials_(trials),
@@ -62,14 +71,16 @@ void JointDilation::visit_segments(const Visit& visit) const {
         const auto members = p_.segments.contacts_of(segment);
         const JointLaw& law = trials_.law_of(members[0]);
         if (!dilates(law)) continue;
-        visit(law, members,
+        visit(segment, law, members,
               segment_motion(members, p_.contacts, [&](ContactIndex k) { return trials_.motion(k); }));
     }
 }
 
 void JointDilation::update() {
     by_force_.clear();
-    visit_segments([&](const JointLaw& law, std::span<const ContactIndex> members, SegmentMotion combined) {
+    if (any_) corrections_.resize(p_.segments.count());
+    visit_segments([&](std::size_t segment, const JointLaw& law, std::span<const ContactIndex> members,
+                       SegmentMotion combined) {
         const bool with_slip = dilates_with_slip(law) && !trials_[members[0]].postponed;
         if (with_slip) combined = find_under_own_force(law, members, combined);
         const JointHistory after = advance(law, *combined.history, combined.motion);
@@ -80,10 +91,15 @@ void JointDilation::update() {
             const double by_force = slope_by_normal_force(law, combined, total);
             if (by_force < 0) by_force_.push_back({members, by_force, combined.motion.normal_force, 0});
         }
+        const double excess =
+            total - p_.contacts[members[0]].dilation - trials_[members[0]].dilation_increment;
+        const double response = with_slip ? 1 : corrections_[segment].response(excess);
+        corrections_[segment] = {excess, excess / response};
+        const double kept = excess - corrections_[segment].correction;
         for (const ContactIndex k : members) {
             ContactTrial& trial = trials_[k];
             if (trial.postponed) continue;
-            trial.dilation_increment = total - p_.contacts[k].dilation;
+            trial.dilation_increment = total - p_.contacts[k].dilation - kept;
             if (p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
             trial.dilating =
                 after_displacement(locked_dilation(law, p_.contacts[k].history), locked_dilation(law, after));
@@ -127,23 +143,28 @@ SegmentMotion JointDilation::find_under_own_force(const JointLaw& law, std::span
 
 template <class Visit>
 void JointDilation::visit_by_law(const Visit& visit) const {
-    visit_segments(
-        [&](const JointLaw& law, std::span<const ContactIndex> members, const SegmentMotion& combined) {
-            const double total = dilation(law, advance(law, *combined.history, combined.motion));
-            for (const ContactIndex k : members) visit(k, total - p_.contacts[k].dilation);
-        });
+    visit_segments([&](std::size_t, const JointLaw& law, std::span<const ContactIndex> members,
+                       const SegmentMotion& combined) {
+        const double total = dilation(law, advance(law, *combined.history, combined.motion));
+        for (const ContactIndex k : members) visit(k, total - p_.contacts[k].dilation);
+    });
 }
 
 bool JointDilation::exceeds_tolerance() const {
-    double largest = 0;
+    bool any = false;
     visit_by_law([&](ContactIndex k, double by_law) {
-        const ContactTrial& trial = trials_[k];
-        if (trial.postponed || !trial.may_close) return;
-        const double change = p_.springs[k].normal_stiffness * (by_law - trial.dilation_increment);
-        const double normal = trials_.law(k).normal(trial.opening);
-        largest = std::max(largest, normal > 0 ? std::abs(change) : normal + change);
+        any = any || (!trials_[k].postponed && is_unsettled(k, by_law));
     });
-    return largest > dilation_tolerance * trials_.tolerance();
+    return any;
+}
+
+bool JointDilation::is_unsettled(ContactIndex k, double by_law) const {
+    const ContactTrial& trial = trials_[k];
+    if (!trial.may_close) return false;
+    const double change = p_.springs[k].normal_stiffness * (by_law - trial.dilation_increment);
+    const double normal = trials_.law(k).normal(trial.opening);
+    const double changed = normal > 0 ? std::abs(change) : normal + change;
+    return changed > dilation_tolerance * trials_.tolerance();
 }
 
 void JointDilation::set_change(std::size_t index, double change) {
@@ -168,8 +189,8 @@ bool JointDilation::postpone() {
     visit_by_law([&](ContactIndex k, double by_law) {
         ContactTrial& trial = trials_[k];
         const double as_locked = locked_dilation_of(k);
-        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - as_locked))
-            return;
+        if (trial.postponed || !is_unsettled(k, by_law)) return;
+        if (std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - as_locked)) return;
         trial.dilation_increment = as_locked;
         trial.sliding_slope = 0;  // update_active_set() tilts the spring, and the matrix follows
         trial.postponed = true;
@@ -201,7 +222,7 @@ double JointDilation::dilating_loss(ContactIndex k, const LockedDilation& after)
 
 bool JointDilation::limit() {
     bool any = false;
-    visit_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
+    visit_segments([&](std::size_t, const JointLaw& law, std::span<const ContactIndex> members,
                        const SegmentMotion& combined) {
         if (p_.model.is_augmented(p_.contacts[members[0]].joint_material)) return;
         const LockedDilation after = locked_dilation(law, advance(law, *combined.history, combined.motion));

@@ -18,6 +18,18 @@ struct DilationByForce {
     double change = 0;        ///< m, of the dilation since then by the normal force
 };
 
+/// A correction of the dilation of a joint segment that dilates with its displacement: what the law gave
+/// beyond it, and by how much it was moved, m.
+struct DilationCorrection {
+    double excess = 0;
+    double correction = 0;
+
+    /// How much smaller the excess becomes for each metre of a correction, 1 to 5: more than 1 where the
+    /// dilation raises the normal force, under which the law gives less. @param excess_now m, what the law
+    /// gives beyond the dilation after this correction.
+    double response(double excess_now) const;
+};
+
 /// Sets the dilation of the joint segments of a step, and its slopes. A joint segment dilates as a whole, by
 /// the combined motion of its contacts.
 class JointDilation {
@@ -27,8 +39,8 @@ class JointDilation {
 
     /// Whether the law of any joint dilates.
     bool any() const { return any_; }
-    /// Sets the dilation to that of the forces and displacements at the iterate, except where it is
-    /// postponed.
+    /// Moves the dilation to that of the forces and displacements at the iterate, Eq. (104), except where it
+    /// is postponed.
     void update();
     /// Whether update() would change a normal force by more than ten times the tolerance, also one that it
     /// would close.
@@ -46,8 +58,8 @@ class JointDilation {
     void set_change(std::size_t index, double change);
 
   private:
-    /// Calls visit(law, contacts, motion) for each segment whose law dilates, with its motion in the step;
-    /// none without a normal force.
+    /// Calls visit(segment, law, contacts, motion) for each segment whose law dilates, with its motion in the
+    /// step; none without a normal force.
     template <class Visit>
     void visit_segments(const Visit& visit) const;
     /// Evaluates the dilation of the step by the joint laws. Calls visit(k, dilation increment, m) for each
@@ -58,6 +70,9 @@ class JointDilation {
     /// itself, at the present displacement. @return the motion of the segment with that force.
     SegmentMotion find_under_own_force(const JointLaw& law, std::span<const ContactIndex> members,
                                        const SegmentMotion& present);
+    /// Whether the dilation by the law would change the normal force by more than ten times the tolerance,
+    /// also one that it would close.
+    bool is_unsettled(ContactIndex k, double by_law) const;
     /// The dilation of the step if only the locked part of its displacement dilates the joint, m.
     double locked_dilation_of(ContactIndex k) const;
     /// The contact at the step's end, at the iterate.
@@ -70,6 +85,7 @@ class JointDilation {
     TrialContacts& trials_;
     bool any_;
     std::vector<DilationByForce> by_force_;
+    std::vector<DilationCorrection> corrections_;  ///< per segment, of the last update()
 };
 
 }  // namespace rockslope::dda

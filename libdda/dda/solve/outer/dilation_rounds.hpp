@@ -33,7 +33,7 @@ class DilationRounds {
     void restart() { minima_ = 0; }
 
   private:
-    static constexpr int first_iterations = 8;  ///< in which it follows every iterate
+    static constexpr int first_iterations = 4;  ///< in which it follows every iterate
     static constexpr int minimum_limit = 2;     ///< minima at which it is updated after these
     static constexpr int limit_rounds = 3;      ///< minima of a step at which it is limited
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/resting_block.hpp"
@@ -99,6 +100,43 @@ TEST_F(JointDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
     solve(along);
     EXPECT_EQ(block.evaluated()[0].dilation_increment, 0) << "for the rest of the step";
     EXPECT_FALSE(block.contacts.dilation.postpone());
+}
+
+// A dilation within ten tolerances of forces of the law's is that of the law. Postponing it would solve the
+// step once more, and joints that hardly move would be postponed one after the other.
+TEST_F(JointDilation, IsNotPostponedWhereItHasSettled) {
+    solve(along);
+    const double settled = 5 * block.trials.tolerance() / spring;
+    for (const double off : {settled, 4 * settled}) {
+        solve(into * T + settled / (8 * t) * (1 + t * T));  // the law gives an eighth of it
+        block.contacts.dilation.set_change(0, off);
+        EXPECT_EQ(block.contacts.dilation.postpone(), off > settled) << off;
+    }
+}
+
+// Eq. (104) on a joint whose law gives d = -a N, on a block that resists being lifted with K: N = N0 + K d.
+// Each plain correction leaves -a K of the excess, so it grows where a K > 1. The response is 1 + a K, and
+// the second correction is exact as far as it is known: up to 5.
+TEST(DilationCorrection, SettlesADilationThatRaisesItsNormalForce) {
+    for (const double gain : {0.5, 3.0, 4.0, 8.0}) {
+        SCOPED_TRACE(gain);
+        double dilation = 1e-4;
+        const auto excess = [&] { return -gain * dilation - dilation; };
+        dda::DilationCorrection last;
+        for (int update = 0; update < 2; ++update) {
+            const double now = excess();
+            last = {now, now / last.response(now)};
+            dilation += last.correction;
+        }
+        const double left = 1 - (1 + gain) / std::min(1 + gain, 5.0);
+        EXPECT_NEAR(dilation, -gain * 1e-4 * left, 1e-17);
+    }
+}
+
+TEST(DilationCorrection, TakesTheWholeExcessAtFirstAndWhereItFalls) {
+    EXPECT_EQ(dda::DilationCorrection{}.response(2e-6), 1);
+    EXPECT_EQ((dda::DilationCorrection{2e-6, 2e-6}.response(1e-6)), 1) << "it falls by less than was moved";
+    EXPECT_EQ((dda::DilationCorrection{2e-6, 2e-6}.response(-4e-6)), 3);
 }
 
 // Friction takes S u - N dU - ... of a step, no less than nothing: five times the dilation of the law would
