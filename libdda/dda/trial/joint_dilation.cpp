@@ -81,6 +81,9 @@ void JointDilation::update() {
     if (any_) corrections_.resize(p_.segments.count());
     visit_segments([&](std::size_t segment, const JointLaw& law, std::span<const ContactIndex> members,
                        SegmentMotion combined) {
+        const auto leading = std::find_if(members.begin(), members.end(),
+                                          [&](ContactIndex k) { return !trials_[k].postponed; });
+        if (leading == members.end()) return;
         const bool with_slip = dilates_with_slip(law) && !trials_[members[0]].postponed;
         if (with_slip) combined = find_under_own_force(law, members, combined);
         const JointHistory after = advance(law, *combined.history, combined.motion);
@@ -91,8 +94,7 @@ void JointDilation::update() {
             const double by_force = slope_by_normal_force(law, combined, total);
             if (by_force < 0) by_force_.push_back({members, by_force, combined.motion.normal_force, 0});
         }
-        const double excess =
-            total - p_.contacts[members[0]].dilation - trials_[members[0]].dilation_increment;
+        const double excess = total - p_.contacts[*leading].dilation - trials_[*leading].dilation_increment;
         const double response = with_slip ? 1 : corrections_[segment].response(excess);
         corrections_[segment] = {excess, excess / response};
         const double kept = excess - corrections_[segment].correction;

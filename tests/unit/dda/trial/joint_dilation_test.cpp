@@ -115,8 +115,8 @@ TEST_F(JointDilation, IsNotPostponedWhereItHasSettled) {
 }
 
 // Eq. (104) on a joint whose law gives d = -a N, on a block that resists being lifted with K: N = N0 + K d.
-// Each plain correction leaves -a K of the excess, so it grows where a K > 1. The response is 1 + a K, and
-// the second correction is exact as far as it is known: up to 5.
+// Each plain correction leaves -a K of the excess, so it grows where a K > 1. The response is 1 + a K,
+// with which the second correction is exact, and 5 at most.
 TEST(DilationCorrection, SettlesADilationThatRaisesItsNormalForce) {
     for (const double gain : {0.5, 3.0, 4.0, 8.0}) {
         SCOPED_TRACE(gain);
@@ -154,10 +154,8 @@ TEST_F(JointDilation, IsLimitedWhereFrictionDoesNotPayForIt) {
     EXPECT_TRUE(block.contacts.dilation.by_force().empty());
 }
 
-// A locked joint of even roughness dilates with its displacement, however it goes. What is postponed dilates
-// with the slope of the locked joint, for its shear force follows the normal force with that slope, too. A
-// joint that has not slipped has the mean slope of the way.
-TEST(JointDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
+/// Even roughness, so that the joint dilates with its displacement, however it goes.
+dda::JointLaw even_roughness() {
     dda::CyclicBartonBandis law;
     law.barton = {2, 50e6, radians(18)};
     law.peak_displacement = 2e-3;
@@ -165,7 +163,33 @@ TEST(JointDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
     const dda::RoughnessTable even = {{{0, 1}, {1, 1}}};
     law.cycles = {{even, even, even, even}};
     law.unsigned_ratios = true;
-    RestingContacts block{dda::JointLaw(law)};
+    return law;
+}
+
+// A correction is measured at a contact that follows it, not at one whose dilation is postponed.
+TEST(JointDilationOfALockedJoint, LeavesOutThePostponedContact) {
+    RestingContacts block{even_roughness()};
+    const auto update = [&] {
+        block.bounds.update();
+        block.trials.force_change();
+        block.contacts.dilation.update();
+    };
+    block.move(5e-6, into);
+    block.contacts.entrances.select_first();
+    update();
+    const double followed = block.trials[1].dilation_increment;
+    ASSERT_GT(std::abs(followed), 1e-10);
+    block.trials[0].postponed = true;
+    block.trials[0].dilation_increment += std::copysign(1e-6, followed);
+    update();
+    EXPECT_NEAR(block.trials[1].dilation_increment, followed, 1e-9);
+}
+
+// A locked joint of even roughness dilates with its displacement, however it goes. What is postponed dilates
+// with the slope of the locked joint, for its shear force follows the normal force with that slope, too. A
+// joint that has not slipped has the mean slope of the way.
+TEST(JointDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
+    RestingContacts block{even_roughness()};
     const double elastic = 5e-6;  // m, a quarter of what the strength under 20 kN bears
     const auto update = [&](double u) {
         block.move(u, into);
